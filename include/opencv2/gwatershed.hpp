@@ -1,0 +1,269 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_HPP
+#define OPENCV_GWATERSHED_HPP
+
+#include "opencv2/core.hpp"
+
+/**
+@defgroup gwatershed Superpixels by a marker-controlled watershed on a gradient map
+
+The module holds one class, cv::ximgproc::SuperpixelGWatershed, which divides a colour image, or a
+colour image with its depth map, into superpixels after @cite Jiang2015. Its interface follows
+SuperpixelSLIC and SuperpixelSEEDS of the module ximgproc, which it does not need.
+*/
+
+namespace cv
+{
+namespace ximgproc
+{
+
+//! @addtogroup gwatershed
+//! @{
+
+//! Algorithms of SuperpixelGWatershed.
+enum GWatershedType
+{
+    //! Algorithm 1 of @cite Jiang2015 : the height of a pixel is its distance to the neighbour that
+    //! reaches it. One pass; `ruler` and `num_iterations` have no effect.
+    GWATERSHED = 200
+};
+
+/** @brief Superpixels by a marker-controlled watershed on a gradient map @cite Jiang2015 .
+
+The image is divided in four steps:
+1. A gradient map: the Sobel magnitude of the gray image and, for RGB-D, of the depth.
+2. Markers: one pixel for each cell of a grid, moved to the smallest gradient near the centre.
+3. A flood from the markers through 256 first-in first-out queues, one for each height.
+4. The watershed lines, where two floods meet, are given to the most similar neighbour.
+
+@code{.cpp}
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, 20);
+    gws->iterate();
+    Mat labels, contours;
+    gws->getLabels(labels);             // CV_32SC1, 0 .. gws->getNumberOfSuperpixels() - 1
+    gws->getLabelContourMask(contours); // CV_8UC1, 255 on the contours
+    gws->iterate(next_image);           // the next frame, of any size
+    gws->iterate(next_image, depth);    // a frame with depth
+@endcode
+
+**Result.** Every pixel has a label, every label of [0, N) occurs, and the pixels of one label are
+one 4-connected component. The labels follow the markers in raster order of the grid. The result
+depends on the image, the depth and the parameters only: it is the same for any number of
+threads, in every run, and for a submatrix and its clone.
+
+**Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
+ignored), as Mat or UMat. White is 255, 65535 or 1.0. The image is brought to 8 bits, as the 256
+heights of the paper ask for; stretch an image that uses a small part of its range beforehand. No
+colour conversion is done for GWATERSHED: equation (1) is meant for RGB or BGR. At most
+2^31 - 8 pixels, the frame of one pixel around the image counted.
+
+**Depth.** CV_16UC1 (sensor units, usually millimetres; 0 is missing), CV_32FC1 (usually metres;
+NaN, infinity, 0 and below are missing) or CV_8UC1 (already scaled; 0 is missing), of the size of
+the image. Where depth is missing, colour alone counts. Depth that is missing or equal everywhere
+changes nothing. See setDepthRange().
+
+**Errors.** A wrong argument throws cv::Exception before anything is changed, and the object stays
+usable. The images given are never written to.
+
+**Threads.** The maps over all pixels run under cv::parallel_for_, the flood on the calling thread.
+Different objects can be used in different threads at the same time; one object can not, except for
+its const methods.
+
+**Algorithm.** write() and read() store and restore the parameters; read() throws and changes
+nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
+factory and the buffers; the parameters stay. empty() tells whether there is no segmentation.
+
+**Cost.** Time and memory are linear in the number of pixels and do not depend on the number of
+superpixels. Buffers are allocated once per image size.
+*/
+class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
+{
+public:
+    /** @brief Number of superpixels N of the current segmentation, 0 before the first iterate().
+
+    N is the number of superpixels asked for, or the number of pixels where that is smaller, until
+    enforceLabelConnectivity() merges some.
+    */
+    CV_WRAP virtual int getNumberOfSuperpixels() const = 0;
+
+    /** @brief Segments the image, and depth, that were given to the factory.
+
+    The image is the copy made by the factory; iterate() of another image does not replace it.
+    Each call starts anew with the current parameters.
+
+    @param num_iterations 1 or more. GWATERSHED is one pass: more than 1 changes nothing.
+
+    Throws cv::Exception if the factory was given a size instead of an image.
+    */
+    CV_WRAP virtual void iterate(int num_iterations = 1) = 0;
+
+    /** @overload
+    @brief Segments another image, of any size and of any type named above.
+    @param image Image to segment. It is not kept.
+    @param num_iterations See above.
+    */
+    CV_WRAP virtual void iterate(InputArray image, int num_iterations = 1) = 0;
+
+    /** @overload
+    @brief Segments another image with its depth.
+    @param image Image to segment. It is not kept.
+    @param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image. It is not kept.
+    @param num_iterations See above.
+    */
+    CV_WRAP virtual void iterate(InputArray image, InputArray depth, int num_iterations = 1) = 0;
+
+    /** @brief Returns a copy of the label map.
+
+    @param labels_out CV_32SC1 map of the size of the image; values in [0, N). See
+    getNumberOfSuperpixels(). It is allocated as needed, whatever it was before.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getLabels(OutputArray labels_out) const = 0;
+
+    /** @brief Returns the contours of the superpixels as a mask.
+
+    @param image CV_8UC1 mask of the size of the image: 255 on contours, 0 elsewhere.
+    @param thick_line If true, a pixel is on a contour when any of its 4 neighbours has another
+    label: lines of two pixels. If false, when its right or lower neighbour has: lines of one
+    pixel, part of the thick ones. Either way every pair of neighbours with different labels has
+    a contour pixel.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getLabelContourMask(OutputArray image, bool thick_line = true) const = 0;
+
+    /** @brief Returns the watershed lines of Algorithm 1, before they were given to the superpixels.
+
+    @param image CV_8UC1 mask of the size of the image: 255 where two floods met, where the
+    gradient reached the border threshold, and where no flood came because of it; 0 elsewhere.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getWatershedLineMask(OutputArray image) const = 0;
+
+    /** @brief Merges superpixels that are too small into a neighbour.
+
+    Superpixels are connected without this call. The smallest goes first, into the neighbour with
+    which it has the longest common boundary. Labels are numbered anew without gaps, in the old
+    order; N falls.
+
+    @param min_element_size Smallest area allowed, in percent of the mean area (number of pixels
+    over N), in [0, 100]. 0 merges nothing.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void enforceLabelConnectivity(int min_element_size = 25) = 0;
+
+    //! @name Parameters. They take effect at the next iterate().
+    //! @{
+
+    /** @brief Sets the algorithm.
+    @param algorithm One of #GWatershedType. */
+    CV_WRAP virtual void setAlgorithm(int algorithm) = 0;
+    //! @see setAlgorithm
+    CV_WRAP virtual int getAlgorithm() const = 0;
+
+    /** @brief Asks for superpixels of a mean size; replaces what setNumSuperpixels() asked for.
+    @param region_size Side in pixels of the square that a superpixel fills on the mean, 1 or more:
+    N is the integer nearest to W * H / region_size^2, at least 1. */
+    CV_WRAP virtual void setRegionSize(int region_size) = 0;
+    //! Region size in pixels, or 0 where a number of superpixels is asked for. @see setRegionSize
+    CV_WRAP virtual int getRegionSize() const = 0;
+
+    /** @brief Asks for a number of superpixels; replaces what setRegionSize() asked for.
+    @param num_superpixels Number of superpixels, 1 or more. It is met exactly; an image with fewer
+    pixels gets one superpixel for each pixel. */
+    CV_WRAP virtual void setNumSuperpixels(int num_superpixels) = 0;
+    //! Number asked for, or 0 where a region size is asked for. @see setNumSuperpixels
+    CV_WRAP virtual int getNumSuperpixels() const = 0;
+
+    /** @brief Sets the compactness.
+    @param ruler 0 or more, finite. Default 10. GWATERSHED has no such term: it stores the value
+    and does not use it. */
+    CV_WRAP virtual void setRuler(float ruler) = 0;
+    //! @see setRuler
+    CV_WRAP virtual float getRuler() const = 0;
+
+    /** @brief Sets the weight of colour against depth, equation (3) of the paper.
+    @param alpha In [0, 1]: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D, in steps of 1/256. 1 is
+    colour alone, 0 is depth alone where there is depth. Default 0.5, as in the paper. Without
+    depth it has no effect. */
+    CV_WRAP virtual void setAlpha(float alpha) = 0;
+    //! @see setAlpha
+    CV_WRAP virtual float getAlpha() const = 0;
+
+    /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
+
+    A range makes the scale the same for every frame. CV_8UC1 depth is taken as it is.
+
+    @param near_depth Depth, in the unit of the depth map, that becomes 1; what is nearer, too.
+    @param far_depth Depth that becomes 255; what is farther, too. 0 <= near_depth < far_depth, or
+    both 0, the default: the range from the 1st to the 99th percentile of the valid depth of the
+    frame, taken over a regular sample of it, or from its minimum to its maximum if these are equal. */
+    CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
+    //! @see setDepthRange
+    CV_WRAP virtual float getNearDepth() const = 0;
+    //! @see setDepthRange
+    CV_WRAP virtual float getFarDepth() const = 0;
+
+    /** @brief Sets the gradient from which a pixel is a border at the start (line 6 of Algorithm 1).
+    @param border_threshold 0, the default, means none. Else a pixel whose gradient is equal or
+    larger takes no part in the flood and joins a neighbour after it. The gradient is the
+    magnitude of the 3x3 Sobel derivatives of 8-bit values, 0..1443, as for the thresholds of
+    cv::Canny with L2gradient; for RGB-D it is weighted by alpha as the distance is. */
+    CV_WRAP virtual void setBorderThreshold(float border_threshold) = 0;
+    //! @see setBorderThreshold
+    CV_WRAP virtual float getBorderThreshold() const = 0;
+
+    //! @}
+};
+
+/** @brief Makes an object for images of a given size, as createSuperpixelSEEDS() does.
+
+@param image_width Width in pixels of the images to come, 1 or more; buffers are allocated for it.
+Images of another size are taken as well.
+@param image_height Height in pixels, 1 or more.
+@param image_channels 1, 3 or 4; images with another number of these are taken as well.
+@param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setNumSuperpixels.
+@param algorithm One of #GWatershedType.
+@param ruler Compactness. See SuperpixelGWatershed::setRuler.
+*/
+CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
+        int image_width, int image_height, int image_channels, int num_superpixels,
+        int algorithm = GWATERSHED, float ruler = 10.0f);
+
+/** @overload
+@brief Makes an object for an image, as createSuperpixelSLIC() does.
+
+@param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
+@param algorithm One of #GWatershedType.
+@param region_size Side in pixels of a superpixel. See SuperpixelGWatershed::setRegionSize.
+@param ruler Compactness. See SuperpixelGWatershed::setRuler.
+*/
+CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
+        InputArray image, int algorithm = GWATERSHED, int region_size = 10, float ruler = 10.0f);
+
+/** @overload
+@brief Makes an object for an image with depth.
+
+@param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
+@param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image; a copy is kept.
+@param algorithm One of #GWatershedType.
+@param region_size Side in pixels of a superpixel. See SuperpixelGWatershed::setRegionSize.
+@param ruler Compactness. See SuperpixelGWatershed::setRuler.
+@param alpha Weight of colour against depth. See SuperpixelGWatershed::setAlpha.
+*/
+CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
+        InputArray image, InputArray depth, int algorithm = GWATERSHED, int region_size = 10,
+        float ruler = 10.0f, float alpha = 0.5f);
+
+//! @}
+
+} // namespace ximgproc
+} // namespace cv
+
+#endif // OPENCV_GWATERSHED_HPP

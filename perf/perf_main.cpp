@@ -1,0 +1,2 @@
+#include "perf_precomp.hpp"
+CV_PERF_TEST_MAIN(gwatershed)

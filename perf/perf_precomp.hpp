@@ -1,0 +1,2 @@
+#include "opencv2/ts.hpp"
+#include "opencv2/gwatershed.hpp"

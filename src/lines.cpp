@@ -1,0 +1,80 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Label of the nearest labelled neighbour by distance, the first of left, top, right, bottom if
+//! equal; UNLABELLED if none has a label.
+static int nearestLabel(const Node* node, const Vec4i& neighbors, int alpha)
+{
+    int label = UNLABELLED, smallest = INT_MAX;
+    for (int k = 0; k < 4; k++)
+    {
+        const Node& neighbor = node[neighbors[k]];
+        if (neighbor.state <= 0)
+            continue;
+        const int height = distance(node->pixel, neighbor.pixel, alpha);
+        if (height < smallest)
+        {
+            smallest = height;
+            label = neighbor.state;
+        }
+    }
+    return label;
+}
+
+//! All nodes without a label, in raster order.
+static void collectLines(NodeMap& map, std::vector<int>& lines)
+{
+    lines.clear();
+    const Size size = map.size();
+    for (int y = 0; y < size.height; y++)
+    {
+        const Node* row = map.row(y);
+        for (int x = 0; x < size.width; x++)
+            if (row[x].state <= 0)
+                lines.push_back(map.index(Point(x, y)));
+    }
+}
+
+//! @note The paper ends with the lines. Here each round gives a label to all nodes that have a
+//! labelled neighbour when it begins; wide lines, and what they enclose, take several rounds. The
+//! nodes of a round need not be sorted, because none of them sees what the others get.
+void absorbLines(int alpha, NodeMap& map, std::vector<int>& lines)
+{
+    CV_TRACE_FUNCTION();
+    Node* nodes = map.data();
+    const Vec4i neighbors = map.neighbors();
+    collectLines(map, lines);
+
+    std::vector<int> round, chosen, later;
+    for (size_t i = 0; i < lines.size(); i++)
+        if (nearestLabel(nodes + lines[i], neighbors, alpha) != UNLABELLED)
+            round.push_back(lines[i]);
+
+    for (; !round.empty(); round.swap(later))
+    {
+        chosen.resize(round.size());
+        for (size_t i = 0; i < round.size(); i++)
+            chosen[i] = nearestLabel(nodes + round[i], neighbors, alpha);
+        for (size_t i = 0; i < round.size(); i++)
+            nodes[round[i]].state = chosen[i];
+
+        later.clear();
+        for (size_t i = 0; i < round.size(); i++)
+            for (int k = 0; k < 4; k++)
+            {
+                const int a = round[i] + neighbors[k];
+                if (nodes[a].state == LINE || nodes[a].state == UNLABELLED)
+                {
+                    nodes[a].state = IN_QUEUE;
+                    later.push_back(a);
+                }
+            }
+    }
+}
+
+}}} // namespace

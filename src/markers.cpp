@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The smallest gradient within a quarter of the cell from its centre; of equal ones the nearest
+//! to the centre, then the first in raster order. It lies in the cell, so markers never coincide.
+//! @note The paper asks for local minima of the gradient and gives no rule.
+static Point findMarker(const Mat& gradient, const Rect& cell)
+{
+    const Point center2(2 * cell.x + cell.width - 1, 2 * cell.y + cell.height - 1); // twice the centre
+    const int rx = cell.width / 4, ry = cell.height / 4;
+    const Rect window(Point(center2.x / 2 - rx, center2.y / 2 - ry),
+                      Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
+    Point best;
+    int smallest = INT_MAX, nearest = INT_MAX;
+    for (int y = window.y; y < window.br().y; y++)
+    {
+        const ushort* row = gradient.ptr<ushort>(y);
+        for (int x = window.x; x < window.br().x; x++)
+        {
+            if (row[x] > smallest)
+                continue;
+            const int dx = 2 * x - center2.x, dy = 2 * y - center2.y, away = dx * dx + dy * dy;
+            if (row[x] < smallest || away < nearest)
+            {
+                best = Point(x, y);
+                smallest = row[x];
+                nearest = away;
+            }
+        }
+    }
+    return best;
+}
+
+//! i-th of n borders that divide a length evenly.
+static int divide(int length, int i, int n)
+{
+    return int(int64(length) * i / n);
+}
+
+void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers)
+{
+    CV_TRACE_FUNCTION();
+    const int width = gradient.cols, height = gradient.rows;
+    const int fewest = (num_markers + width - 1) / width; // rows that the cells need at least
+    const int square = cvRound(std::sqrt(double(num_markers) * height / width));
+    const int rows = std::max(fewest, std::min(square, std::min(height, num_markers)));
+
+    markers.resize(num_markers);
+    parallel_for_(Range(0, rows), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            const int first = divide(num_markers, i, rows), last = divide(num_markers, i + 1, rows);
+            const int top = divide(height, i, rows), bottom = divide(height, i + 1, rows);
+            for (int k = first; k < last; k++)
+            {
+                const int left = divide(width, k - first, last - first);
+                const int right = divide(width, k - first + 1, last - first);
+                markers[k] = findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
+            }
+        }
+    });
+}
+
+}}} // namespace

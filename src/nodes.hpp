@@ -1,0 +1,68 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_NODES_HPP
+#define OPENCV_GWATERSHED_NODES_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! A pixel as the flood sees it: 8-bit colour (a gray value thrice) and scaled depth, 0 if missing.
+struct Pixel
+{
+    uchar b, g, r, depth;
+};
+
+//! Equations (1) to (3) of the paper, 0..255. alpha is in 1/256.
+//! @note Where either depth is missing, colour alone counts.
+inline int distance(const Pixel& p, const Pixel& q, int alpha)
+{
+    const int color = std::max(std::max(std::abs(p.b - q.b), std::abs(p.g - q.g)), std::abs(p.r - q.r));
+    if (p.depth == 0 || q.depth == 0)
+        return color;
+    return (alpha * color + (256 - alpha) * std::abs(p.depth - q.depth) + 128) >> 8;
+}
+
+//! State of a node that has no label yet; labels are 1..N. The names and values are the paper's.
+enum NodeState
+{
+    UNLABELLED = 0,
+    LINE = -1,      //!< S_border: a watershed line
+    IN_QUEUE = -2,  //!< S_inq: queued last at its height; IN_QUEUE - i: queued before node i
+    FRAME = INT_MIN //!< outside the image
+};
+
+//! State and pixel lie together, so that a visit touches one cache line for each row of three.
+struct Node
+{
+    int state;
+    Pixel pixel;
+};
+
+//! The image as nodes with a frame of one node around it: neighbours need no test of bounds.
+class NodeMap
+{
+public:
+    //! All nodes UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
+    void create(const Mat& color, const Mat& depth);
+    //! Allocates for images of a size.
+    void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, CV_32SC2); }
+    void release() { buffer_.release(); }
+
+    Size size() const { return Size(buffer_.cols - 2, buffer_.rows - 2); }
+    Node* data() { return buffer_.ptr<Node>(); }
+    Node* row(int y) { return buffer_.ptr<Node>(y + 1) + 1; }
+    int index(Point p) const { return (p.y + 1) * buffer_.cols + p.x + 1; }
+    Point point(int index) const { return Point(index % buffer_.cols - 1, index / buffer_.cols - 1); }
+    //! Offset of the neighbours: left, top, right, bottom.
+    Vec4i neighbors() const { return Vec4i(-1, -buffer_.cols, 1, buffer_.cols); }
+
+private:
+    Mat buffer_;
+};
+
+}}} // namespace
+
+#endif

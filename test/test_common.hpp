@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_TEST_GWATERSHED_COMMON_HPP
+#define OPENCV_TEST_GWATERSHED_COMMON_HPP
+
+#include "test_precomp.hpp"
+
+namespace opencv_test
+{
+
+//! The algorithms that every property is asked of.
+#define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED))
+
+enum ImageKind { FLAT, NOISE, RAMP, STRIPES, CHECKERBOARD, SCENE, IMAGE_KINDS };
+
+//! Discs and boxes of many colours on a ramp, a little blurred and noisy: looks like a photograph
+//! to a superpixel method. CV_8UC3.
+Mat makeScene(Size size, RNG& rng);
+//! An image of a kind with 1 or 3 channels, 8-bit.
+Mat makeImage(ImageKind kind, Size size, int channels, RNG& rng);
+//! CV_16UC1 depth in millimetres: planes at several distances; a share of holes, in blobs.
+Mat makeDepth(Size size, double holes, RNG& rng);
+
+Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws);
+//! Segments with a fresh object.
+Mat segment(InputArray image, int algorithm, int region_size);
+Mat segment(InputArray image, InputArray depth, int algorithm, int region_size);
+
+//! Number of 4-connected pieces of equal label.
+int countPieces(const Mat& labels);
+//! All pixels labelled, labels 0..N-1 without gaps, each of them one 4-connected piece.
+void expectPartition(const Mat& labels, Size size, int num_labels);
+bool equalMats(const Mat& a, const Mat& b);
+
+//! Sets the number of threads for a scope.
+struct ThreadsGuard
+{
+    explicit ThreadsGuard(int n) : before(getNumThreads()) { setNumThreads(n); }
+    ~ThreadsGuard() { setNumThreads(before); }
+    int before;
+};
+
+} // namespace
+
+#endif
