@@ -1,0 +1,277 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// The interface: errors, contour masks, small superpixels, Algorithm, code written for SLIC and SEEDS.
+
+//! Expects an exception whose message names a word, and the same labels as before it.
+#define EXPECT_REFUSED(statement, word) \
+    do { \
+        bool refused = false; \
+        try { statement; } \
+        catch (const cv::Exception& e) \
+        { \
+            refused = true; \
+            EXPECT_NE(std::string::npos, String(e.what()).find(word)) << e.what(); \
+        } \
+        EXPECT_TRUE(refused) << #statement; \
+    } while (0)
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_interface;
+
+TEST_P(ximgproc_GWatershed_interface, refuses_wrong_images_and_stays_usable)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(60, 40), rng), depth = makeDepth(image.size(), 0.1, rng);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam());
+    gws->iterate();
+    const Mat before = labelsOf(gws);
+
+    const int cube[] = { 4, 5, 6 };
+    const int wrong_types[] = { CV_8UC2, CV_8UC(5), CV_64FC1, CV_32SC3, CV_8SC1, CV_16SC3 };
+    EXPECT_REFUSED(gws->iterate(Mat()), "image must not be empty");
+    EXPECT_REFUSED(gws->iterate(noArray()), "image must not be empty");
+    EXPECT_REFUSED(gws->iterate(Mat(3, cube, CV_8UC1, Scalar(0))), "image must have two dimensions");
+    EXPECT_REFUSED(gws->iterate(std::vector<Mat>(3, image)), "image must be one Mat");
+    for (int i = 0; i < 6; i++)
+    {
+        EXPECT_REFUSED(gws->iterate(Mat(40, 60, wrong_types[i])), "image must");
+        EXPECT_REFUSED(gws->iterate(image, Mat(40, 60, wrong_types[i])), "depth must be");
+    }
+    EXPECT_REFUSED(gws->iterate(image, Mat()), "depth must not be empty");
+    EXPECT_REFUSED(gws->iterate(image, image), "depth must be");
+    EXPECT_REFUSED(gws->iterate(image, depth.rowRange(1, 40)), "depth must have the size of image");
+    EXPECT_REFUSED(gws->iterate(image, Mat(3, cube, CV_16UC1, Scalar(0))), "depth must have two dimensions");
+    EXPECT_REFUSED(gws->iterate(0), "num_iterations");
+    EXPECT_REFUSED(gws->iterate(image, 0), "num_iterations");
+    EXPECT_REFUSED(gws->iterate(image, depth, -1), "num_iterations");
+    EXPECT_REFUSED(gws->enforceLabelConnectivity(-1), "min_element_size");
+    EXPECT_REFUSED(gws->enforceLabelConnectivity(101), "min_element_size");
+
+    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
+    gws->iterate();
+    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
+}
+
+TEST_P(ximgproc_GWatershed_interface, refuses_wrong_parameters_and_keeps_the_old_ones)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    const Mat image = makeScene(Size(60, 40), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 7, 3.f);
+    EXPECT_REFUSED(gws->setAlgorithm(7), "algorithm");
+    EXPECT_REFUSED(gws->setRegionSize(0), "region_size");
+    EXPECT_REFUSED(gws->setRegionSize(-5), "region_size");
+    EXPECT_REFUSED(gws->setNumSuperpixels(0), "num_superpixels");
+    const float wrong_rulers[] = { -1.f, nan, inf };
+    for (int i = 0; i < 3; i++)
+    {
+        EXPECT_REFUSED(gws->setRuler(wrong_rulers[i]), "ruler");
+        EXPECT_REFUSED(gws->setBorderThreshold(wrong_rulers[i]), "border_threshold");
+        EXPECT_REFUSED(gws->setAlpha(wrong_rulers[i]), "alpha");
+        EXPECT_REFUSED(gws->setDepthRange(wrong_rulers[i], 5), "near_depth");
+        EXPECT_REFUSED(gws->setDepthRange(0, wrong_rulers[i]), "far_depth");
+    }
+    EXPECT_REFUSED(gws->setAlpha(1.001f), "alpha");
+    EXPECT_REFUSED(gws->setDepthRange(5, 5), "far_depth");
+    EXPECT_EQ(GetParam(), gws->getAlgorithm());
+    EXPECT_EQ(7, gws->getRegionSize());
+    EXPECT_EQ(0, gws->getNumSuperpixels());
+    EXPECT_EQ(3.f, gws->getRuler());
+    EXPECT_EQ(0.5f, gws->getAlpha());
+    EXPECT_EQ(0.f, gws->getNearDepth());
+    EXPECT_EQ(0.f, gws->getFarDepth());
+    EXPECT_EQ(0.f, gws->getBorderThreshold());
+    gws->iterate();
+    Ptr<SuperpixelGWatershed> fresh = createSuperpixelGWatershed(image, GetParam(), 7, 3.f);
+    fresh->iterate();
+    EXPECT_TRUE(equalMats(labelsOf(fresh), labelsOf(gws)));
+}
+
+TEST_P(ximgproc_GWatershed_interface, factories_refuse_wrong_arguments)
+{
+    const Mat image = makeScene(Size(60, 40), theRNG()), depth(image.size(), CV_16UC1, Scalar(1));
+    const int a = GetParam();
+    EXPECT_REFUSED(createSuperpixelGWatershed(0, 10, 3, 5, a), "image_width");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, -1, 3, 5, a), "image_height");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 2, 5, a), "image_channels");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 3, 0, a), "num_superpixels");
+    EXPECT_REFUSED(createSuperpixelGWatershed(65536, 65536, 3, 5, a), "pixels");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 3, 5, 7), "algorithm");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 3, 5, a, -1.f), "ruler");
+    EXPECT_REFUSED(createSuperpixelGWatershed(Mat(), a), "image");
+    EXPECT_REFUSED(createSuperpixelGWatershed(image, 7), "algorithm");
+    EXPECT_REFUSED(createSuperpixelGWatershed(image, a, 0), "region_size");
+    EXPECT_REFUSED(createSuperpixelGWatershed(image, depth.colRange(0, 9), a), "depth");
+    EXPECT_REFUSED(createSuperpixelGWatershed(image, depth, a, 10, 10.f, 2.f), "alpha");
+}
+
+TEST_P(ximgproc_GWatershed_interface, says_that_there_is_nothing_yet)
+{
+    const Mat image = makeScene(Size(60, 40), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(60, 40, 3, 20, GetParam());
+    Mat out;
+    for (int repeat = 0; repeat < 2; repeat++)
+    {
+        EXPECT_TRUE(gws->empty());
+        EXPECT_EQ(0, gws->getNumberOfSuperpixels());
+        EXPECT_REFUSED(gws->iterate(), "no image");
+        EXPECT_REFUSED(gws->getLabels(out), "iterate");
+        EXPECT_REFUSED(gws->getLabelContourMask(out), "iterate");
+        EXPECT_REFUSED(gws->getWatershedLineMask(out), "iterate");
+        EXPECT_REFUSED(gws->enforceLabelConnectivity(), "iterate");
+        gws->iterate(image);
+        EXPECT_FALSE(gws->empty());
+        EXPECT_EQ(20, gws->getNumberOfSuperpixels());
+        gws->clear(); // and from here on as at the beginning
+    }
+    EXPECT_EQ(20, gws->getNumSuperpixels());
+}
+
+TEST_P(ximgproc_GWatershed_interface, contour_masks_show_every_boundary)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 20; i++)
+    {
+        const Mat image = makeImage(ImageKind(i % IMAGE_KINDS), Size(rng.uniform(1, 90), rng.uniform(1, 90)), 3, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 1 + i);
+        gws->iterate();
+        const Mat labels = labelsOf(gws);
+        Mat thick, thin;
+        gws->getLabelContourMask(thick);
+        gws->getLabelContourMask(thin, false);
+        EXPECT_EQ(image.total(), size_t(countNonZero(thick == 0) + countNonZero(thick == 255)));
+        EXPECT_EQ(image.total(), size_t(countNonZero(thin == 0) + countNonZero(thin == 255)));
+        for (int y = 0; y < labels.rows; y++)
+            for (int x = 0; x < labels.cols; x++)
+            {
+                bool beside = false, before = false;
+                for (int dy = -1; dy <= 1; dy++)
+                    for (int dx = -1; dx <= 1; dx++)
+                    {
+                        const Point q(x + dx, y + dy);
+                        if (std::abs(dx) + std::abs(dy) != 1 || !Rect(Point(), labels.size()).contains(q) ||
+                            labels.at<int>(q) == labels.at<int>(y, x))
+                            continue;
+                        beside = true;
+                        before = before || dx + dy > 0;
+                    }
+                ASSERT_EQ(beside, thick.at<uchar>(y, x) == 255);
+                ASSERT_EQ(before, thin.at<uchar>(y, x) == 255);
+            }
+    }
+}
+
+TEST_P(ximgproc_GWatershed_interface, one_superpixel_has_no_contour)
+{
+    const Mat image = makeScene(Size(30, 20), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(30, 20, 3, 1, GetParam());
+    gws->iterate(image);
+    Mat contours;
+    gws->getLabelContourMask(contours);
+    EXPECT_EQ(0, countNonZero(contours));
+}
+
+TEST_P(ximgproc_GWatershed_interface, merges_small_superpixels)
+{
+    RNG& rng = theRNG();
+    for (int percent = 0; percent <= 100; percent += 20)
+    {
+        const Mat image = makeImage(percent % 40 ? NOISE : SCENE, Size(150, 110), 3, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
+        gws->iterate();
+        const Mat before = labelsOf(gws);
+        const int n = gws->getNumberOfSuperpixels();
+        gws->enforceLabelConnectivity(percent);
+        const Mat labels = labelsOf(gws);
+        expectPartition(labels, image.size(), gws->getNumberOfSuperpixels());
+        EXPECT_LE(gws->getNumberOfSuperpixels(), n);
+        EXPECT_TRUE(percent > 0 || equalMats(before, labels));
+        std::map<int, int> merged; // every old superpixel lies in one new one
+        for (int y = 0; y < labels.rows; y++)
+            for (int x = 0; x < labels.cols; x++)
+                ASSERT_EQ(labels.at<int>(y, x),
+                          merged.insert(std::make_pair(before.at<int>(y, x), labels.at<int>(y, x))).first->second);
+        for (int label = 0; label < gws->getNumberOfSuperpixels(); label++)
+            EXPECT_GE(100. * countNonZero(labels == label), percent * 150. * 110. / n);
+    }
+}
+
+TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
+{
+    const Mat image = makeScene(Size(90, 60), theRNG()), depth = makeDepth(image.size(), 0.1, theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 13, 4.5f, 0.75f);
+    gws->setDepthRange(400.5f, 4000.f);
+    gws->setBorderThreshold(120.f);
+    EXPECT_EQ("SuperpixelGWatershed", gws->getDefaultName());
+
+    FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    gws->write(out);
+    const String text = out.releaseAndGetString();
+
+    Ptr<SuperpixelGWatershed> other = createSuperpixelGWatershed(image, depth);
+    const FileStorage in(text, FileStorage::READ | FileStorage::MEMORY);
+    other->read(in.root());
+    EXPECT_EQ(GetParam(), other->getAlgorithm());
+    EXPECT_EQ(13, other->getRegionSize());
+    EXPECT_EQ(0, other->getNumSuperpixels());
+    EXPECT_EQ(4.5f, other->getRuler());
+    EXPECT_EQ(0.75f, other->getAlpha());
+    EXPECT_EQ(400.5f, other->getNearDepth());
+    EXPECT_EQ(4000.f, other->getFarDepth());
+    EXPECT_EQ(120.f, other->getBorderThreshold());
+    gws->iterate();
+    other->iterate();
+    EXPECT_TRUE(equalMats(labelsOf(gws), labelsOf(other)));
+
+    String wrong = text;
+    wrong.replace(wrong.find("alpha:"), 6, "alphb:");
+    const FileStorage missing(wrong, FileStorage::READ | FileStorage::MEMORY);
+    EXPECT_REFUSED(other->read(missing.root()), "alpha");
+    EXPECT_EQ(13, other->getRegionSize());
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_interface, GWATERSHED_ALGORITHMS);
+
+// Code as users of SuperpixelSLIC and SuperpixelSEEDS have it, with other names.
+
+TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_slic)
+{
+    const Mat frame = makeScene(Size(160, 120), theRNG());
+    const int algorithm = 0, region_size = 50, ruler = 30, min_element_size = 50, num_iterations = 3;
+    Mat converted, mask, labels;
+    cvtColor(frame, converted, COLOR_BGR2HSV);
+
+    Ptr<SuperpixelGWatershed> slic = createSuperpixelGWatershed(converted, algorithm + GWATERSHED, region_size, float(ruler));
+    slic->iterate(num_iterations);
+    if (min_element_size > 0)
+        slic->enforceLabelConnectivity(min_element_size);
+    slic->getLabelContourMask(mask, true);
+    Mat result = frame;
+    result.setTo(Scalar(0, 0, 255), mask);
+    slic->getLabels(labels);
+    expectPartition(labels, frame.size(), slic->getNumberOfSuperpixels());
+    labels &= 3;
+    labels *= 1 << 14;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_seeds)
+{
+    const Mat frame = makeScene(Size(160, 120), theRNG());
+    const int num_superpixels = 400, num_iterations = 4;
+    Mat converted, mask, labels;
+    cvtColor(frame, converted, COLOR_BGR2HSV);
+
+    const int width = frame.size().width, height = frame.size().height;
+    Ptr<SuperpixelGWatershed> seeds = createSuperpixelGWatershed(width, height, frame.channels(), num_superpixels);
+    seeds->iterate(converted, num_iterations);
+    seeds->getLabels(labels);
+    seeds->getLabelContourMask(mask, false);
+    expectPartition(labels, frame.size(), 400);
+    EXPECT_GT(countNonZero(mask), 0);
+}
+
+}} // namespace

@@ -1,0 +1,259 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+#include <thread>
+
+namespace opencv_test { namespace {
+
+// What holds for the labels of every algorithm: partition, number, sameness, symmetry.
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_partition;
+
+TEST_P(ximgproc_GWatershed_partition, labels_all_pixels_with_connected_superpixels)
+{
+    RNG& rng = theRNG();
+    for (int kind = 0; kind < IMAGE_KINDS; kind++)
+        for (int channels = 1; channels <= 3; channels += 2)
+            for (int region_size = 3; region_size < 40; region_size += 9)
+            {
+                const Mat image = makeImage(ImageKind(kind), Size(131, 97), channels, rng);
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
+                gws->iterate(2);
+                expectPartition(labelsOf(gws), image.size(), gws->getNumberOfSuperpixels());
+            }
+}
+
+TEST_P(ximgproc_GWatershed_partition, labels_rgbd_and_bordered_images_with_connected_superpixels)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 12; i++)
+    {
+        const Mat image = makeScene(Size(140, 110), rng), depth = makeDepth(image.size(), 0.04 * i, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 4 + i);
+        gws->setBorderThreshold(i % 3 * 40.f);
+        gws->iterate(1 + i % 3);
+        expectPartition(labelsOf(gws), image.size(), gws->getNumberOfSuperpixels());
+    }
+}
+
+TEST_P(ximgproc_GWatershed_partition, takes_any_small_size_with_any_region_size)
+{
+    RNG& rng = theRNG();
+    for (int height = 1; height <= 16; height++)
+        for (int width = 1; width <= 16; width++)
+        {
+            const Mat image = makeImage(ImageKind(rng.uniform(0, int(IMAGE_KINDS))), Size(width, height), 3, rng);
+            for (int region_size = 1; region_size <= std::max(width, height) + 5; region_size++)
+            {
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
+                gws->iterate(1 + region_size % 3);
+                expectPartition(labelsOf(gws), image.size(), gws->getNumberOfSuperpixels());
+            }
+        }
+}
+
+TEST_P(ximgproc_GWatershed_partition, takes_long_strips_in_under_a_second)
+{
+    RNG& rng = theRNG();
+    const Size sizes[] = { Size(70000, 1), Size(1, 70000), Size(70000, 2), Size(3, 40000) };
+    for (size_t i = 0; i < 4; i++)
+        for (int region_size = 1; region_size <= 70000; region_size = region_size * 7 + 1)
+        {
+            const Mat image = makeImage(NOISE, sizes[i], 3, rng);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
+            const int64 start = getTickCount();
+            gws->iterate();
+            EXPECT_LT((getTickCount() - start) / getTickFrequency(), 1.) << sizes[i] << " " << region_size;
+            expectPartition(labelsOf(gws), image.size(), gws->getNumberOfSuperpixels());
+        }
+}
+
+TEST_P(ximgproc_GWatershed_partition, gives_the_number_asked_for)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(160, 120), rng);
+    for (int k = 1; k <= 2000; k += 1 + k / 3)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(160, 120, 3, k, GetParam());
+        gws->iterate(image);
+        EXPECT_EQ(k, gws->getNumberOfSuperpixels());
+        expectPartition(labelsOf(gws), image.size(), k);
+    }
+    for (int region_size = 1; region_size < 200; region_size = region_size * 3 / 2 + 1)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
+        gws->iterate();
+        EXPECT_EQ(std::max(1, cvRound(160. * 120. / region_size / region_size)), gws->getNumberOfSuperpixels());
+    }
+}
+
+TEST_P(ximgproc_GWatershed_partition, gives_each_pixel_its_own_label_if_more_are_asked_for)
+{
+    const Mat image = makeScene(Size(23, 17), theRNG());
+    const int asked[] = { 23 * 17, 23 * 17 + 1, INT_MAX };
+    for (int i = 0; i < 3; i++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(23, 17, 3, asked[i], GetParam());
+        gws->iterate(image);
+        EXPECT_EQ(23 * 17, gws->getNumberOfSuperpixels());
+        expectPartition(labelsOf(gws), image.size(), 23 * 17);
+    }
+}
+
+// Lengths of the shortest 4-connected paths from a seed, on a flat image simply |dx| + |dy|.
+TEST_P(ximgproc_GWatershed_partition, gives_the_grid_on_a_flat_image)
+{
+    const Size sizes[] = { Size(120, 120), Size(121, 87), Size(64, 200) };
+    for (int i = 0; i < 3; i++)
+    {
+        const Mat image(sizes[i], CV_8UC3, Scalar(80, 90, 100));
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 12);
+        gws->iterate();
+        const Mat labels = labelsOf(gws);
+        const int n = gws->getNumberOfSuperpixels();
+        const double side = std::sqrt(double(image.total()) / n);
+        std::vector<int> area(n, 0);
+        for (int y = 0; y < labels.rows; y++)
+            for (int x = 0; x < labels.cols; x++)
+                area[labels.at<int>(y, x)]++;
+        // Within one row and one column, and what rows of unequal numbers of markers differ by.
+        const int rows = cvRound(sizes[i].height / side);
+        const double cell = double(image.total()) / n, slack = 2 * side + cell * rows / n;
+        EXPECT_GE(*std::min_element(area.begin(), area.end()), cell - slack);
+        EXPECT_LE(*std::max_element(area.begin(), area.end()), cell + slack);
+    }
+}
+
+static Mat thickContours(const Mat& labels)
+{
+    Mat contours = Mat::zeros(labels.size(), CV_8UC1);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            for (int k = 0; k < 2; k++)
+            {
+                const Point p(x, y), q = k ? Point(x + 1, y) : Point(x, y + 1);
+                if (q.x < labels.cols && q.y < labels.rows && labels.at<int>(p) != labels.at<int>(q))
+                    contours.at<uchar>(p) = contours.at<uchar>(q) = 255;
+            }
+    return contours;
+}
+
+//! Share of the contour pixels of a that b has within one pixel.
+static double agreement(const Mat& a, const Mat& b)
+{
+    Mat wide;
+    dilate(b, wide, Mat());
+    return double(countNonZero(a & wide)) / countNonZero(a);
+}
+
+TEST_P(ximgproc_GWatershed_partition, has_no_direction)
+{
+    RNG& rng = theRNG();
+    double mean[2] = { 0, 0 };
+    const int count = 6;
+    for (int i = 0; i < count; i++)
+    {
+        const Mat image = makeScene(Size(240, 240), rng);
+        const Mat labels = segment(image, GetParam(), 20);
+        for (int flipped = 0; flipped < 2; flipped++)
+        {
+            Mat other, back;
+            if (flipped)
+                flip(image, other, 1);
+            else
+                cv::transpose(image, other);
+            const Mat other_labels = segment(other, GetParam(), 20);
+            if (flipped)
+                flip(other_labels, back, 1);
+            else
+                cv::transpose(other_labels, back);
+            mean[flipped] += agreement(thickContours(labels), thickContours(back)) / count;
+        }
+    }
+    EXPECT_GE(mean[0], 0.95) << "transposed";
+    EXPECT_GE(mean[1], 0.95) << "mirrored";
+}
+
+TEST_P(ximgproc_GWatershed_partition, parts_a_plateau_in_the_middle)
+{
+    // Two markers on a flat strip: the border lies half way between them.
+    for (int width = 12; width < 60; width++)
+    {
+        const Mat strip(5, width, CV_8UC1, Scalar(7));
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(width, 5, 1, 2, GetParam());
+        gws->iterate(strip);
+        Mat labels = labelsOf(gws);
+        EXPECT_NEAR(width / 2., countNonZero(labels.row(2) == 0), 1.);
+    }
+}
+
+TEST_P(ximgproc_GWatershed_partition, is_the_same_for_any_number_of_threads)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(517, 389), rng), depth = makeDepth(image.size(), 0.2, rng);
+    Mat expected, expected_depth;
+    {
+        ThreadsGuard one(1);
+        expected = segment(image, GetParam(), 15);
+        expected_depth = segment(image, depth, GetParam(), 15);
+    }
+    const int numbers[] = { 1, 2, 3, 8 };
+    for (int i = 0; i < 4; i++)
+    {
+        ThreadsGuard threads(numbers[i]);
+        EXPECT_TRUE(equalMats(expected, segment(image, GetParam(), 15))) << numbers[i];
+        EXPECT_TRUE(equalMats(expected_depth, segment(image, depth, GetParam(), 15))) << numbers[i];
+    }
+}
+
+TEST_P(ximgproc_GWatershed_partition, is_the_same_inside_a_parallel_loop)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(200, 150), rng), depth = makeDepth(image.size(), 0.2, rng);
+    const Mat expected = segment(image, depth, GetParam(), 10);
+    Mat same(1, 8, CV_8UC1, Scalar(0));
+    parallel_for_(Range(0, 8), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            same.at<uchar>(i) = equalMats(expected, segment(image, depth, GetParam(), 10));
+    });
+    EXPECT_EQ(8, countNonZero(same));
+}
+
+TEST_P(ximgproc_GWatershed_partition, is_the_same_for_two_objects_in_two_threads)
+{
+    RNG& rng = theRNG();
+    const Mat images[2] = { makeScene(Size(300, 200), rng), makeScene(Size(211, 333), rng) };
+    const Mat expected[2] = { segment(images[0], GetParam(), 12), segment(images[1], GetParam(), 12) };
+    bool same[2] = { true, true };
+    const int algorithm = GetParam();
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 2; i++)
+        threads.push_back(std::thread([&, i]()
+        {
+            for (int repeat = 0; repeat < 10; repeat++)
+                same[i] = same[i] && equalMats(expected[i], segment(images[i], algorithm, 12));
+        }));
+    threads[0].join();
+    threads[1].join();
+    EXPECT_TRUE(same[0]);
+    EXPECT_TRUE(same[1]);
+}
+
+TEST_P(ximgproc_GWatershed_partition, is_the_same_without_optimized_code)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(333, 222), rng), depth = makeDepth(image.size(), 0.1, rng);
+    const Mat expected = segment(image, depth, GetParam(), 10);
+    setUseOptimized(false);
+    const Mat plain = segment(image, depth, GetParam(), 10);
+    setUseOptimized(true);
+    EXPECT_TRUE(equalMats(expected, plain));
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_partition, GWATERSHED_ALGORITHMS);
+
+}} // namespace
