@@ -42,7 +42,7 @@ struct Node
 };
 
 //! The image as nodes with a frame of one node around it: neighbours need no test of bounds.
-class NodeMap
+class CV_EXPORTS NodeMap
 {
 public:
     //! All nodes UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.

@@ -9,31 +9,31 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! @file The steps of the method, in their order. Each is a file of its name.
+//! @file The steps of the method, in their order. They are exported for the performance tests.
 
 //! The image in 8 bits: itself if it has 8, else converted into the buffer. (convert.cpp)
-Mat convertImage(const Mat& image, Mat& buffer);
+CV_EXPORTS Mat convertImage(const Mat& image, Mat& buffer);
 
 //! Depth as CV_8UC1 in the buffer, 1..255, 0 where missing; empty if depth is empty or tells
 //! nothing apart. Both limits 0: the range is taken from the frame. (convert.cpp)
-Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer);
+CV_EXPORTS Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer);
 
 //! Sobel magnitude of gray and depth, weighted by alpha in 1/256: CV_16UC1, 0..1443. (gradient.cpp)
-void computeGradient(const Mat& color, const Mat& depth, int alpha, Mat& gray, Mat& gradient);
+CV_EXPORTS void computeGradient(const Mat& color, const Mat& depth, int alpha, Mat& gray, Mat& gradient);
 
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels. (markers.cpp)
-void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
 //! Algorithm 1: marker i gives the label i + 1. Leaves LINE and UNLABELLED nodes. (flood.cpp)
 //! A node whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
-void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,
-                      float border_threshold, int alpha, NodeMap& nodes);
+CV_EXPORTS void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,
+                                 float border_threshold, int alpha, NodeMap& nodes);
 
 //! Gives every node without a label to a neighbour; lines returns their indices. (lines.cpp)
-void absorbLines(int alpha, NodeMap& nodes, std::vector<int>& lines);
+CV_EXPORTS void absorbLines(int alpha, NodeMap& nodes, std::vector<int>& lines);
 
 //! CV_32SC1 labels 0..N-1 of nodes that all have a label. (labels.cpp)
-void extractLabels(NodeMap& nodes, Mat& labels);
+CV_EXPORTS void extractLabels(NodeMap& nodes, Mat& labels);
 
 //! Mask of the pixels beside another label. (labels.cpp)
 void drawContours(const Mat& labels, bool thick_line, Mat& mask);

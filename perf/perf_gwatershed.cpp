@@ -1,0 +1,97 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "perf_common.hpp"
+#include "../src/steps.hpp"
+
+namespace opencv_test { namespace {
+
+CV_ENUM(Algorithm_, GWATERSHED)
+
+typedef PicturesTest<tuple<Algorithm_, Size> > Perf_GWatershed;
+typedef PicturesTest<Size> Perf_GWatershed_step;
+
+PERF_TEST_P(Perf_GWatershed, color, testing::Combine(Algorithm_::all(), GWATERSHED_PERF_SIZES))
+{
+    const Size size = get<1>(GetParam());
+    Pictures pictures(size);
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(size.width, size.height, 3, perfNumSuperpixels(size), get<0>(GetParam()));
+    timeOver(pictures, [&]() { gws->iterate(pictures.image()); });
+}
+
+PERF_TEST_P(Perf_GWatershed, rgbd, testing::Combine(Algorithm_::all(), GWATERSHED_PERF_SIZES))
+{
+    const Size size = get<1>(GetParam());
+    Pictures pictures(size);
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(size.width, size.height, 3, perfNumSuperpixels(size), get<0>(GetParam()));
+    timeOver(pictures, [&]() { gws->iterate(pictures.image(), pictures.depth()); });
+}
+
+// The steps of GWATERSHED on colour.
+
+const int COLOR_ALONE = 256; // alpha
+
+struct Steps
+{
+    explicit Steps(Size size) : pictures(size) {}
+
+    void gradientStep() { gws::computeGradient(pictures.image(), Mat(), COLOR_ALONE, gray, gradient); }
+    void markersStep() { gws::placeMarkers(gradient, perfNumSuperpixels(gradient.size()), markers); }
+    void nodesStep() { nodes.create(pictures.image(), Mat()); }
+    void floodStep() { gws::floodFromMarkers(markers, gradient, 0, COLOR_ALONE, nodes); }
+    void linesStep() { gws::absorbLines(COLOR_ALONE, nodes, lines); }
+    void labelsStep() { gws::extractLabels(nodes, labels); }
+
+    Pictures pictures;
+    Mat gray, gradient, labels;
+    std::vector<Point> markers;
+    std::vector<int> lines;
+    gws::NodeMap nodes;
+};
+
+PERF_TEST_P(Perf_GWatershed_step, gradient, GWATERSHED_PERF_SIZES)
+{
+    Steps steps(GetParam());
+    timeOver(steps.pictures, [&]() { steps.gradientStep(); });
+}
+
+PERF_TEST_P(Perf_GWatershed_step, markers, GWATERSHED_PERF_SIZES)
+{
+    Steps steps(GetParam());
+    timeOver(steps.pictures, [&]() { steps.gradientStep(); }, [&]() { steps.markersStep(); });
+}
+
+PERF_TEST_P(Perf_GWatershed_step, flood, GWATERSHED_PERF_SIZES)
+{
+    Steps steps(GetParam());
+    timeOver(steps.pictures, [&]()
+    {
+        steps.gradientStep();
+        steps.markersStep();
+    }, [&]()
+    {
+        steps.nodesStep();
+        steps.floodStep();
+    });
+}
+
+PERF_TEST_P(Perf_GWatershed_step, lines_and_labels, GWATERSHED_PERF_SIZES)
+{
+    Steps steps(GetParam());
+    timeOver(steps.pictures, [&]()
+    {
+        steps.gradientStep();
+        steps.markersStep();
+        steps.nodesStep();
+        steps.floodStep();
+    }, [&]()
+    {
+        steps.linesStep();
+        steps.labelsStep();
+    });
+}
+
+}} // namespace
