@@ -1,1 +1,208 @@
-int main(){return 0;}
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include <opencv2/core/utility.hpp>
+#include <opencv2/highgui.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include <opencv2/gwatershed.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+using namespace cv;
+using namespace cv::ximgproc;
+
+static const char* const KEYS =
+    "{help h         |     | print this text }"
+    "{i image        |     | image to segment; without it, the camera }"
+    "{d depth        |     | depth of the image: 8- or 16-bit, or 32-bit float; 0 is missing }"
+    "{o output       |     | segment -i without a window and write <o>_contours.png, <o>_mean.png, <o>_labels.png }"
+    "{c camera       | 0   | camera id, or a video file }"
+    "{s region_size  | 20  | side of a superpixel in pixels }"
+    "{k superpixels  | 0   | number of superpixels; 0: region_size rules }"
+    "{r ruler        | 10  | compactness }"
+    "{a alpha        | 0.5 | weight of colour against depth }"
+    "{n iterations   | 1   | number of iterations }";
+
+static Mat drawContours(const Mat& image, const SuperpixelGWatershed& gws)
+{
+    Mat result = image.clone(), contours;
+    gws.getLabelContourMask(contours, false);
+    result.setTo(Scalar(0, 0, 255), contours);
+    return result;
+}
+
+static Mat drawMeans(const Mat& image, const SuperpixelGWatershed& gws)
+{
+    Mat labels, result(image.size(), CV_8UC3);
+    gws.getLabels(labels);
+    std::vector<Vec4d> sums(gws.getNumberOfSuperpixels(), Vec4d::all(0));
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+        {
+            const Vec3b& pixel = image.at<Vec3b>(y, x);
+            sums[labels.at<int>(y, x)] += Vec4d(pixel[0], pixel[1], pixel[2], 1);
+        }
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+        {
+            const Vec4d& sum = sums[labels.at<int>(y, x)];
+            for (int c = 0; c < 3; c++)
+                result.at<Vec3b>(y, x)[c] = saturate_cast<uchar>(sum[c] / sum[3]);
+        }
+    return result;
+}
+
+//! Colours that differ between most neighbours.
+static Mat drawLabels(const SuperpixelGWatershed& gws)
+{
+    Mat labels, hue;
+    gws.getLabels(labels);
+    labels.forEach<int>([](int& label, const int*) { label = label * 67 & 255; });
+    labels.convertTo(hue, CV_8U);
+    applyColorMap(hue, hue, COLORMAP_HSV);
+    return hue;
+}
+
+//! 16-bit PNG, or 32-bit TIFF where there are too many labels for that.
+static String writeLabels(const String& prefix, const SuperpixelGWatershed& gws)
+{
+    Mat labels;
+    gws.getLabels(labels);
+    const bool fits = gws.getNumberOfSuperpixels() <= 65536;
+    if (fits)
+        labels.convertTo(labels, CV_16U);
+    const String name = prefix + (fits ? "_labels.png" : "_labels.tiff");
+    CV_Assert(imwrite(name, labels));
+    return name;
+}
+
+//! Segments one image a few times, writes the pictures and prints what it took.
+static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed& gws, int iterations,
+                        const String& prefix)
+{
+    std::vector<double> times;
+    for (int i = 0; i < 9; i++)
+    {
+        TickMeter timer;
+        timer.start();
+        if (depth.empty())
+            gws.iterate(image, iterations);
+        else
+            gws.iterate(image, depth, iterations);
+        timer.stop();
+        times.push_back(timer.getTimeMilli());
+    }
+    std::nth_element(times.begin(), times.begin() + 4, times.end());
+
+    CV_Assert(imwrite(prefix + "_contours.png", drawContours(image, gws)));
+    CV_Assert(imwrite(prefix + "_mean.png", drawMeans(image, gws)));
+    const String labels_name = writeLabels(prefix, gws);
+    std::cout << image.cols << "x" << image.rows << (depth.empty() ? "" : " with depth") << ": "
+              << gws.getNumberOfSuperpixels() << " superpixels in " << cvRound(times[4] * 100) / 100.
+              << " ms (median of 9, " << getNumThreads() << " threads)\n"
+              << "  " << prefix << "_contours.png, " << prefix << "_mean.png, " << labels_name << std::endl;
+}
+
+//! What the trackbars of the window hold.
+struct Settings
+{
+    int region_size, ruler, alpha_percent, iterations, mode;
+};
+
+static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Settings settings)
+{
+    const String window = "gwatershed";
+    namedWindow(window, WINDOW_AUTOSIZE);
+    createTrackbar("Region size", window, &settings.region_size, 100);
+    createTrackbar("Ruler", window, &settings.ruler, 50);
+    createTrackbar("Alpha %", window, &settings.alpha_percent, 100);
+    createTrackbar("Iterations", window, &settings.iterations, 10);
+    createTrackbar("Mode", window, &settings.mode, 2); // contours, means, labels
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1, 1, 3, 1);
+    std::cout << "Mode 0: contours, 1: mean colours, 2: labels. [q] or [esc] ends." << std::endl;
+    for (int key = 0; key != 'q' && key != 27; key = waitKey(10) & 255)
+    {
+        if (capture.isOpened() && !capture.read(image))
+            break;
+        gws->setRegionSize(std::max(1, settings.region_size));
+        gws->setRuler(float(settings.ruler));
+        gws->setAlpha(settings.alpha_percent / 100.f);
+        TickMeter timer;
+        timer.start();
+        if (depth.empty())
+            gws->iterate(image, std::max(1, settings.iterations));
+        else
+            gws->iterate(image, depth, std::max(1, settings.iterations));
+        timer.stop();
+
+        Mat picture = settings.mode == 0 ? drawContours(image, *gws)
+                    : settings.mode == 1 ? drawMeans(image, *gws) : drawLabels(*gws);
+        putText(picture, format("%d in %.1f ms", gws->getNumberOfSuperpixels(), timer.getTimeMilli()),
+                Point(8, 24), FONT_HERSHEY_SIMPLEX, 0.7, Scalar::all(255), 2);
+        imshow(window, picture);
+    }
+}
+
+int main(int argc, char** argv)
+{
+    CommandLineParser parser(argc, argv, KEYS);
+    parser.about("Superpixels by a marker-controlled watershed, cv::ximgproc::SuperpixelGWatershed.");
+    if (parser.has("help"))
+    {
+        parser.printMessage();
+        return 0;
+    }
+    const String image_file = parser.get<String>("image"), depth_file = parser.get<String>("depth");
+    const String camera = parser.get<String>("camera"), output = parser.get<String>("output");
+    const int num_superpixels = parser.get<int>("superpixels"), iterations = parser.get<int>("iterations");
+    const float alpha = parser.get<float>("alpha"), ruler = parser.get<float>("ruler");
+    const int region_size = parser.get<int>("region_size");
+    if (!parser.check())
+    {
+        parser.printErrors();
+        return 2;
+    }
+
+    Mat image, depth;
+    if (!image_file.empty())
+        image = imread(image_file, IMREAD_COLOR);
+    if (!depth_file.empty())
+        depth = imread(depth_file, IMREAD_UNCHANGED);
+    if ((!image_file.empty() && image.empty()) || (!depth_file.empty() && depth.empty()) ||
+        (!output.empty() && image.empty()))
+    {
+        std::cerr << "Cannot read the image " << image_file << " " << depth_file << std::endl;
+        return 1;
+    }
+    try
+    {
+        if (!output.empty())
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, region_size, ruler);
+            gws->setAlpha(alpha);
+            if (num_superpixels > 0)
+                gws->setNumSuperpixels(num_superpixels);
+            segmentFile(image, depth, *gws, iterations, output);
+            return 0;
+        }
+        VideoCapture capture;
+        if (image.empty() && !(camera.size() == 1 ? capture.open(camera[0] - '0') : capture.open(camera)))
+        {
+            std::cerr << "Cannot open the camera or video " << camera << std::endl;
+            return 1;
+        }
+        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations, 0 };
+        showWindow(image, depth, capture, settings);
+    }
+    catch (const cv::Exception& e)
+    {
+        std::cerr << e.what() << std::endl;
+        return 1;
+    }
+    return 0;
+}

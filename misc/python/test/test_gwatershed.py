@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""Every overload of SuperpixelGWatershed from Python, by position and by keyword."""
+import cv2 as cv
+import numpy as np
+
+from tests_common import NewOpenCVTests
+
+
+def make_image(height=48, width=64):
+    y, x = np.mgrid[0:height, 0:width]
+    image = np.stack([x * 3, y * 4, 128 + 60 * np.sin(x / 5.0 + y / 7.0)], axis=-1)
+    return image.astype(np.uint8)
+
+
+def make_depth(height=48, width=64):
+    depth = np.full((height, width), 1500, np.uint16)
+    depth[:, 37:] = 1700
+    return depth
+
+
+class gwatershed_test(NewOpenCVTests):
+
+    def labels_of(self, gws):
+        labels = gws.getLabels()
+        self.assertEqual(labels.dtype, np.int32)
+        self.assertEqual(np.unique(labels).tolist(), list(range(gws.getNumberOfSuperpixels())))
+        return labels
+
+    def segment(self, *arguments, **keywords):
+        gws = cv.ximgproc.createSuperpixelGWatershed(*arguments, **keywords)
+        gws.iterate()
+        return self.labels_of(gws)
+
+    def test_factory_for_an_image(self):
+        image = make_image()
+        labels = self.segment(image, cv.ximgproc.GWATERSHED, 8, 10.0)
+        self.assertEqual(labels.shape, image.shape[:2])
+        self.assertEqual(labels.max() + 1, 48)
+        same = self.segment(image=image, algorithm=cv.ximgproc.GWATERSHED, region_size=8, ruler=10)
+        np.testing.assert_array_equal(labels, same)
+        self.assertEqual(self.segment(image).max() + 1, 31)  # region_size 10
+
+    def test_factory_for_an_image_with_depth(self):
+        image, depth = make_image(), make_depth()
+        labels = self.segment(image, depth, cv.ximgproc.GWATERSHED, 8, 10.0, 0.25)
+        same = self.segment(image=image, depth=depth, algorithm=cv.ximgproc.GWATERSHED, region_size=8,
+                            ruler=10, alpha=0.25)
+        np.testing.assert_array_equal(labels, same)
+        flat = np.full_like(image, 100)
+        cut = self.segment(flat, depth, region_size=8)
+        self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()))
+
+    def test_factory_for_a_size(self):
+        image = make_image()
+        by_position = cv.ximgproc.createSuperpixelGWatershed(64, 48, 3, 50)
+        by_keyword = cv.ximgproc.createSuperpixelGWatershed(
+            image_width=64, image_height=48, image_channels=3, num_superpixels=50,
+            algorithm=cv.ximgproc.GWATERSHED, ruler=10)
+        for gws in (by_position, by_keyword):
+            gws.setAlgorithm(cv.ximgproc.GWATERSHED)
+            self.assertRaises(cv.error, gws.iterate)  # there is no image yet
+            gws.iterate(image)
+            self.assertEqual(gws.getNumberOfSuperpixels(), 50)
+        np.testing.assert_array_equal(self.labels_of(by_position), self.labels_of(by_keyword))
+
+    def test_iterate(self):
+        image, depth = make_image(), make_depth()
+        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws.iterate(3)
+        of_factory = self.labels_of(gws)
+        gws.iterate(image, 3)
+        np.testing.assert_array_equal(self.labels_of(gws), of_factory)
+        gws.iterate(image=image, num_iterations=3)
+        np.testing.assert_array_equal(self.labels_of(gws), of_factory)
+        gws.iterate(num_iterations=3)
+        np.testing.assert_array_equal(self.labels_of(gws), of_factory)
+        gws.iterate(image, depth)
+        with_depth = self.labels_of(gws)
+        gws.iterate(image=image, depth=depth, num_iterations=1)
+        np.testing.assert_array_equal(self.labels_of(gws), with_depth)
+
+    def test_slices_and_types(self):
+        image = make_image()
+        part = image[5:40, 7:50]
+        np.testing.assert_array_equal(self.segment(part), self.segment(part.copy()))
+        labels = self.segment(image)
+        np.testing.assert_array_equal(labels, self.segment(image.astype(np.uint16) * 257))
+        np.testing.assert_array_equal(labels, self.segment(image.astype(np.float32) / 255))
+        gray = image[:, :, 0].copy()
+        self.assertEqual(self.segment(gray).shape, gray.shape)
+
+    def test_masks(self):
+        gws = cv.ximgproc.createSuperpixelGWatershed(make_image(), region_size=8)
+        gws.iterate()
+        thick = gws.getLabelContourMask()
+        thin = gws.getLabelContourMask(thick_line=False)
+        for mask in (thick, thin, gws.getWatershedLineMask()):
+            self.assertEqual(mask.dtype, np.uint8)
+            self.assertTrue(set(np.unique(mask)) <= {0, 255})
+        self.assertTrue((thick[thin > 0] > 0).all())
+        gws.enforceLabelConnectivity(min_element_size=50)
+        self.labels_of(gws)
+
+    def test_parameters(self):
+        gws = cv.ximgproc.createSuperpixelGWatershed(make_image())
+        gws.setAlgorithm(cv.ximgproc.GWATERSHED)
+        gws.setNumSuperpixels(77)
+        gws.setRuler(3.5)
+        gws.setAlpha(0.75)
+        gws.setDepthRange(400, 4000)
+        gws.setBorderThreshold(100)
+        self.assertEqual(gws.getAlgorithm(), cv.ximgproc.GWATERSHED)
+        self.assertEqual((gws.getNumSuperpixels(), gws.getRegionSize()), (77, 0))
+        self.assertEqual((gws.getRuler(), gws.getAlpha()), (3.5, 0.75))
+        self.assertEqual((gws.getNearDepth(), gws.getFarDepth()), (400, 4000))
+        self.assertEqual(gws.getBorderThreshold(), 100)
+        gws.setRegionSize(9)
+        self.assertEqual((gws.getNumSuperpixels(), gws.getRegionSize()), (0, 9))
+        self.assertEqual(gws.getDefaultName(), "SuperpixelGWatershed")
+
+    def test_errors(self):
+        image = make_image()
+        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        self.assertTrue(gws.empty())
+        for call in (gws.getLabels, lambda: gws.setRegionSize(0), lambda: gws.setAlpha(2),
+                     lambda: gws.iterate(image.astype(np.float64)), lambda: gws.iterate(image, image)):
+            self.assertRaises(cv.error, call)
+        gws.iterate()
+        self.labels_of(gws)
+        gws.clear()
+        self.assertTrue(gws.empty())
+
+
+if __name__ == "__main__":
+    NewOpenCVTests.bootstrap()

@@ -1,0 +1,190 @@
+#!/usr/bin/env bash
+# Builds OpenCV with this module, and ximgproc beside it, and runs all tests:
+#   scripts/test.sh                     with the OpenCV of Debian 12, 4.6.0
+#   OPENCV_VERSION=4.10.0 scripts/test.sh      with that of Debian 13
+#   OPENCV_SOURCE=DIR scripts/test.sh          with a source tree of your own; contrib in DIR/contrib
+# The source and the build stay in the cache; only the first build takes long.
+# The last line is "N passed, N failed".
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+version=${OPENCV_VERSION:-4.6.0}
+place=$cache/$version
+if [ -n "${OPENCV_SOURCE:-}" ]; then
+    OPENCV_SOURCE=$(cd "$OPENCV_SOURCE" && pwd)
+    place=$cache/own-$(printf %s "$OPENCV_SOURCE" | cksum | cut -d' ' -f1)
+fi
+source_dir=${OPENCV_SOURCE:-$place/source}
+build=$place/build
+
+# Debian's source package of OpenCV, contrib in its folder contrib/. The lines for apt are derived
+# from those that are there, and apt keeps nothing of it outside of the cache. The parts are unpacked
+# by hand, because not every mirror has the .dsc of another release; apt checks their sums.
+fetch_source() {
+    local suite apt_dir=$place/apt uri
+    case $version in
+    4.6.0) suite=bookworm ;;
+    4.10.0) suite=trixie ;;
+    *) fail "OPENCV_VERSION must be 4.6.0 or 4.10.0; for another one give OPENCV_SOURCE" ;;
+    esac
+    say "fetching the source of OpenCV $version (127 MB, once)"
+    rm -rf "$apt_dir" "$source_dir.part"
+    mkdir -p "$apt_dir/lists/partial" "$apt_dir/cache"
+    list_uris() {
+        apt-get indextargets --format '$(LABEL)|$(COMPONENT)|$(REPO_URI)' 'Created-By: Packages' |
+            sed -n 's/^Debian|main|//p' | sort -u
+    }
+    [ -n "$(list_uris)" ] || as_root apt-get -qq update
+    for uri in $(list_uris); do
+        echo "deb-src $uri $suite main" >>"$apt_dir/sources.list"
+    done
+    local options=(-qq -o "Dir::Etc::sourcelist=$apt_dir/sources.list" -o Dir::Etc::sourceparts=-
+                   -o "Dir::State::lists=$apt_dir/lists" -o "Dir::Cache=$apt_dir/cache" -o APT::Sandbox::User=root)
+    apt-get "${options[@]}" update
+    (cd "$apt_dir" && apt-get "${options[@]}" source --download-only opencv) || true
+    set -- "$apt_dir/opencv_$version"*.orig.tar.* "$apt_dir/opencv_$version"*.orig-contrib.tar.* \
+           "$apt_dir/opencv_$version"*.debian.tar.*
+    [ -f "$1" ] && [ -f "$2" ] && [ -f "$3" ] || fail "cannot fetch the source of OpenCV $version"
+
+    mkdir -p "$source_dir.part/contrib"
+    tar xf "$1" -C "$source_dir.part" --strip-components=1
+    tar xf "$2" -C "$source_dir.part/contrib" --strip-components=1
+    tar xf "$3" -C "$source_dir.part"
+    local patch
+    for patch in $(grep -v '^#' "$source_dir.part/debian/patches/series"); do
+        patch -s -d "$source_dir.part" -p1 <"$source_dir.part/debian/patches/$patch"
+    done
+    mv "$source_dir.part" "$source_dir"
+    rm -rf "$apt_dir"
+}
+
+configure() {
+    local modules=$root with=() name
+    [ -d "$source_dir/contrib/modules/ximgproc" ] && modules="$source_dir/contrib/modules/ximgproc;$root"
+    for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER OPENJPEG GTK V4L 1394 \
+                PROTOBUF EIGEN LAPACK; do
+        with+=("-DWITH_$name=OFF")
+    done
+    cmake -G Ninja -S "$source_dir" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+        "-DOPENCV_EXTRA_MODULES_PATH=$modules" \
+        -DBUILD_LIST=gwatershed,ximgproc,ts,python3,python_bindings_generator \
+        -DPYTHON3_EXECUTABLE=/usr/bin/python3 -DBUILD_EXAMPLES=ON -DBUILD_TESTS=ON -DBUILD_PERF_TESTS=ON \
+        -DBUILD_JAVA=OFF -DENABLE_PRECOMPILED_HEADERS=OFF "${with[@]}"
+}
+
+passed=0
+failed=0
+count() { # PASSED FAILED
+    passed=$((passed + $1))
+    failed=$((failed + $2))
+}
+
+# Runs a command as one check.
+check() { # NAME COMMAND...
+    local name=$1
+    shift
+    if "$@" >"$results/check.log" 2>&1; then
+        echo "  ok      $name"
+        count 1 0
+    else
+        cat "$results/check.log"
+        echo "  FAILED  $name"
+        count 0 1
+    fi
+}
+
+# Runs a program of GoogleTest and counts what its report says; no report is a failure.
+run_gtest() { # NAME PROGRAM ARGUMENTS...
+    local name=$1 xml=$results/$1.xml tests failures
+    shift
+    say "$name"
+    "$@" "--gtest_output=xml:$xml" >"$results/$name.log" 2>&1 || true
+    if [ ! -s "$xml" ]; then
+        tail -n 40 "$results/$name.log"
+        echo "  $name ended without a report"
+        count 0 1
+        return
+    fi
+    tests=$(sed -n 's/.*<testsuites tests="\([0-9]*\)".*/\1/p' "$xml")
+    failures=$(sed -n 's/.*<testsuites tests="[0-9]*" failures="\([0-9]*\)".*/\1/p' "$xml")
+    grep -E -B 20 '^\[  FAILED  \]' "$results/$name.log" || true
+    echo "  $tests tests, $failures failed; log: $results/$name.log"
+    count $((tests - failures)) "$failures"
+}
+
+run_python_test() {
+    local log=$results/python.log tests failures
+    say "Python"
+    PYTHONPATH=$build/lib/python3:$source_dir/modules/python/test \
+        /usr/bin/python3 "$root/misc/python/test/test_gwatershed.py" >"$log" 2>&1 || true
+    tests=$(sed -n 's/^Ran \([0-9]*\) test.*/\1/p' "$log")
+    failures=$(grep -cE '^(FAIL|ERROR): ' "$log" || true)
+    if [ -z "$tests" ] || ! tail -n 1 "$log" | grep -q '^OK'; then
+        cat "$log"
+        [ "$failures" -gt 0 ] || failures=1
+        [ -n "$tests" ] || tests=$failures
+    fi
+    echo "  $tests tests, $failures failed"
+    count $((tests - failures)) "$failures"
+}
+
+# The pictures that a sample wrote exist and load; the labels are 0..N-1 for the N that it printed.
+pictures_load() { # PREFIX
+    PYTHONPATH=$build/lib/python3 /usr/bin/python3 - "$1" "$results/sample.log" <<'PYTHON'
+import re, sys
+import cv2, numpy
+prefix, log = sys.argv[1:]
+number = int(re.search(r"(\d+) superpixels", open(log).read()).group(1))
+labels = cv2.imread(prefix + "_labels.png", cv2.IMREAD_UNCHANGED)
+assert numpy.unique(labels).tolist() == list(range(number)), "labels"
+for name in "_contours.png", "_mean.png":
+    assert cv2.imread(prefix + name).shape[:2] == labels.shape, name
+PYTHON
+}
+
+run_sample() { # NAME PREFIX COMMAND...
+    local name=$1 prefix=$2
+    shift 2
+    rm -f "$prefix"_*
+    if "$@" >"$results/sample.log" 2>&1; then
+        check "$name" pictures_load "$prefix"
+    else
+        check "$name" sh -c 'cat "$1"; false' sh "$results/sample.log"
+    fi
+}
+
+run_samples() {
+    local data=$source_dir/samples/data
+    local demo=$build/bin/example_gwatershed_gwatershed_demo python_demo=(env "PYTHONPATH=$build/lib/python3"
+        /usr/bin/python3 "$root/samples/gwatershed_demo.py")
+    say "samples"
+    run_sample "gwatershed_demo, colour" "$results/fruits" "$demo" -i="$data/fruits.jpg" -o="$results/fruits"
+    run_sample "gwatershed_demo, RGB-D" "$results/aloe" \
+        "$demo" -i="$data/aloeL.jpg" -d="$data/aloeGT.png" -o="$results/aloe"
+    run_sample "gwatershed_demo.py, colour" "$results/home" \
+        "${python_demo[@]}" "$data/home.jpg" -o "$results/home" -k 300
+    run_sample "gwatershed_demo.py, RGB-D" "$results/aloe_py" \
+        "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
+}
+
+need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g-dev python3-dev python3-numpy
+[ -d "$source_dir" ] || fetch_source
+results=$place/results
+rm -rf "$results"
+mkdir -p "$results"
+
+say "building OpenCV in $build (the first time takes about ten minutes on two cores)"
+configure >"$results/configure.log" 2>&1 || { tail -n 40 "$results/configure.log"; fail "cmake failed"; }
+ninja -C "$build" opencv_test_gwatershed opencv_perf_gwatershed opencv_samples_gwatershed opencv_python3 \
+    >"$results/build.log" 2>&1 || { tail -n 60 "$results/build.log"; fail "the build failed"; }
+check "no warning from our files" sh -c '! grep -E "^$1/.*warning:" "$2"' sh "$root" "$results/build.log"
+
+export OPENCV_SAMPLES_DATA_PATH=$source_dir/samples/data
+run_gtest accuracy "$build/bin/opencv_test_gwatershed"
+run_gtest performance "$build/bin/opencv_perf_gwatershed" --perf_min_samples=1 --perf_force_samples=1 \
+    '--gtest_filter=*/0'
+run_python_test
+run_samples
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
