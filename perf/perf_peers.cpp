@@ -5,8 +5,7 @@
 #include "perf_common.hpp"
 #include "../src/steps.hpp"
 
-#include "opencv2/opencv_modules.hpp"
-#ifdef HAVE_OPENCV_XIMGPROC
+#ifdef GWATERSHED_HAVE_XIMGPROC
 #include "opencv2/ximgproc.hpp"
 #endif
 
@@ -32,7 +31,7 @@ PERF_TEST_P(Perf_GWatershed_peer, watershed, GWATERSHED_PERF_SIZES)
     }, [&]() { watershed(pictures.image(), labels); });
 }
 
-#ifdef HAVE_OPENCV_XIMGPROC
+#ifdef GWATERSHED_HAVE_XIMGPROC
 
 #define SIZES_OF_SLOW_PEERS testing::Values(szVGA, sz720p, sz1080p)
 
@@ -99,6 +98,6 @@ PERF_TEST_P(Perf_GWatershed_peer, ScanSegment, GWATERSHED_PERF_SIZES)
     });
 }
 
-#endif // HAVE_OPENCV_XIMGPROC
+#endif // GWATERSHED_HAVE_XIMGPROC
 
 }} // namespace

@@ -19,7 +19,7 @@ struct Parameters
     float alpha = 0.5f;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
-    float border_threshold = 0;
+    float border_threshold = 150; //!< measured, see doc/log.md; 0: none
 
     void setAlgorithm(int value);
     void setRegionSize(int value);

@@ -84,7 +84,7 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_parameters_and_keeps_the_old
     EXPECT_EQ(0.5f, gws->getAlpha());
     EXPECT_EQ(0.f, gws->getNearDepth());
     EXPECT_EQ(0.f, gws->getFarDepth());
-    EXPECT_EQ(0.f, gws->getBorderThreshold());
+    EXPECT_EQ(150.f, gws->getBorderThreshold());
     gws->iterate();
     Ptr<SuperpixelGWatershed> fresh = createSuperpixelGWatershed(image, GetParam(), 7, 3.f);
     fresh->iterate();

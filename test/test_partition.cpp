@@ -33,7 +33,7 @@ TEST_P(ximgproc_GWatershed_partition, labels_rgbd_and_bordered_images_with_conne
     {
         const Mat image = makeScene(Size(140, 110), rng), depth = makeDepth(image.size(), 0.04 * i, rng);
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 4 + i);
-        gws->setBorderThreshold(i % 3 * 40.f);
+        gws->setBorderThreshold(i % 4 * 40.f);
         gws->iterate(1 + i % 3);
         expectPartition(labelsOf(gws), image.size(), gws->getNumberOfSuperpixels());
     }

@@ -211,10 +211,11 @@ public:
     CV_WRAP virtual float getFarDepth() const = 0;
 
     /** @brief Sets the gradient from which a pixel is a border at the start (line 6 of Algorithm 1).
-    @param border_threshold 0, the default, means none. Else a pixel whose gradient is equal or
-    larger takes no part in the flood and joins a neighbour after it. The gradient is the
-    magnitude of the 3x3 Sobel derivatives of 8-bit values, 0..1443, as for the thresholds of
-    cv::Canny with L2gradient; for RGB-D it is weighted by alpha as the distance is. */
+    @param border_threshold A pixel whose gradient is equal or larger takes no part in the flood
+    and joins a neighbour after it. The gradient is the magnitude of the 3x3 Sobel derivatives of
+    8-bit values, 0..1443, as for the thresholds of cv::Canny with L2gradient; for RGB-D it is
+    weighted by alpha as the distance is. 0 means none. Default 150: without borders the flood
+    crosses strong edges before it has come back to the low heights, and follows half of them. */
     CV_WRAP virtual void setBorderThreshold(float border_threshold) = 0;
     //! @see setBorderThreshold
     CV_WRAP virtual float getBorderThreshold() const = 0;

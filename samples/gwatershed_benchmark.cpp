@@ -1,0 +1,357 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/filesystem.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <opencv2/gwatershed.hpp>
+#ifdef GWATERSHED_HAVE_XIMGPROC
+#include <opencv2/ximgproc.hpp>
+#endif
+
+#include "superpixel_metrics.hpp"
+
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+using namespace cv;
+using namespace cv::ximgproc;
+
+static const char* const KEYS =
+    "{help h       |     | print this text }"
+    "{i images     |     | folder of the images: <id>.jpg, <id>.png or <id>_color.png }"
+    "{g truth      |     | folder of the ground truth, 8- or 16-bit label maps of the size of the image:"
+    " <id>-0.png, <id>-1.png, ... for several annotators, or <id>_labels.png }"
+    "{d depth      |     | folder of depth maps <id>_depth.png (0: missing); the methods that take depth run with and without }"
+    "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
+    "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
+    "{m methods    |     | part of the names of the methods to run, separated by commas; empty: all }"
+    "{l limit      | 0   | number of images; 0: all }"
+    "{t threads    | 1   | number of threads }"
+    "{o output     | benchmark.csv | file to write }";
+
+//! Segments an image, with its depth if it takes any, into about k superpixels.
+typedef std::function<Mat(const Mat& image, const Mat& depth, int k)> Segmenter;
+
+struct Method
+{
+    String name;
+    bool takes_depth;
+    Segmenter segment;
+};
+
+struct Example
+{
+    String id;
+    Mat image, depth;
+    std::vector<Mat> truths;
+};
+
+//! Side of the square that a superpixel fills.
+static double side(const Mat& image, int k)
+{
+    return std::sqrt(double(image.total()) / k);
+}
+
+static Mat segmentByGWatershed(const Mat& image, const Mat& depth, int k, int algorithm, float ruler, int iterations)
+{
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(image.cols, image.rows, image.channels(), k, algorithm, ruler);
+    if (depth.empty())
+        gws->iterate(image, iterations);
+    else
+        gws->iterate(image, depth, iterations);
+    Mat labels;
+    gws->getLabels(labels);
+    return labels;
+}
+
+//! cv::watershed from the centres of a grid; its lines and its frame go to the neighbours.
+static Mat segmentByWatershed(const Mat& image, const Mat&, int k)
+{
+    Mat labels = Mat::zeros(image.size(), CV_32SC1);
+    const double s = side(image, k);
+    int n = 0;
+    for (double y = s / 2; y < image.rows; y += s)
+        for (double x = s / 2; x < image.cols; x += s)
+            labels.at<int>(int(y), int(x)) = ++n;
+    watershed(image, labels);
+    while (countNonZero(labels == -1) > 0)
+    {
+        Mat wide;
+        Mat as_float;
+        labels.convertTo(as_float, CV_32F);
+        dilate(as_float, wide, Mat());
+        wide.convertTo(wide, CV_32S);
+        wide.copyTo(labels, labels == -1);
+    }
+    return labels;
+}
+
+static Mat segmentByGrid(const Mat& image, const Mat&, int k)
+{
+    const int rows = cvRound(std::sqrt(double(k) * image.rows / image.cols)), cols = cvRound(double(k) / rows);
+    Mat labels(image.size(), CV_32SC1);
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+            labels.at<int>(y, x) = y * rows / image.rows * cols + x * cols / image.cols;
+    return labels;
+}
+
+#ifdef GWATERSHED_HAVE_XIMGPROC
+
+static Mat toLab(const Mat& image, bool blur)
+{
+    Mat lab = image;
+    if (blur)
+        GaussianBlur(image, lab, Size(3, 3), 0);
+    Mat result;
+    cvtColor(lab, result, COLOR_BGR2Lab);
+    return result;
+}
+
+static Mat segmentBySLIC(const Mat& image, int k, int algorithm)
+{
+    Ptr<SuperpixelSLIC> slic = createSuperpixelSLIC(toLab(image, true), algorithm, cvRound(side(image, k)), 10.f);
+    slic->iterate(10);
+    slic->enforceLabelConnectivity(25);
+    Mat labels;
+    slic->getLabels(labels);
+    return labels;
+}
+
+static Mat segmentBySEEDS(const Mat& image, const Mat&, int k)
+{
+    Ptr<SuperpixelSEEDS> seeds = createSuperpixelSEEDS(image.cols, image.rows, image.channels(), k, 4);
+    seeds->iterate(image);
+    Mat labels;
+    seeds->getLabels(labels);
+    return labels;
+}
+
+static Mat segmentByLSC(const Mat& image, const Mat&, int k)
+{
+    Ptr<SuperpixelLSC> lsc = createSuperpixelLSC(toLab(image, true), cvRound(side(image, k)));
+    lsc->iterate(10);
+    lsc->enforceLabelConnectivity(25);
+    Mat labels;
+    lsc->getLabels(labels);
+    return labels;
+}
+
+static Mat segmentByScanSegment(const Mat& image, const Mat&, int k)
+{
+    Ptr<ScanSegment> scan = createScanSegment(image.cols, image.rows, k);
+    scan->iterate(toLab(image, false));
+    Mat labels;
+    scan->getLabels(labels);
+    return labels;
+}
+
+#endif
+
+static Method gwatershed(const String& name, int algorithm, float ruler, int iterations)
+{
+    const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
+    {
+        return segmentByGWatershed(image, depth, k, algorithm, ruler, iterations);
+    } };
+    return method;
+}
+
+static Method peer(const String& name, const Segmenter& segment)
+{
+    const Method method = { name, false, segment };
+    return method;
+}
+
+static std::vector<Method> allMethods()
+{
+    std::vector<Method> methods;
+    methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
+#ifdef GWATERSHED_HAVE_XIMGPROC
+    methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
+    methods.push_back(peer("SLICO", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLICO); }));
+    methods.push_back(peer("SEEDS", segmentBySEEDS));
+    methods.push_back(peer("LSC", segmentByLSC));
+    methods.push_back(peer("ScanSegment", segmentByScanSegment));
+#endif
+    methods.push_back(peer("cv::watershed", segmentByWatershed));
+    methods.push_back(peer("grid", segmentByGrid));
+    return methods;
+}
+
+static std::vector<String> split(const String& list)
+{
+    std::vector<String> parts;
+    std::stringstream stream(list);
+    for (std::string part; std::getline(stream, part, ',');)
+        parts.push_back(part);
+    return parts;
+}
+
+static bool isWanted(const String& name, const std::vector<String>& wanted)
+{
+    for (size_t i = 0; i < wanted.size(); i++)
+        if (name.find(wanted[i]) != String::npos)
+            return true;
+    return wanted.empty();
+}
+
+static void addTruth(const String& file, std::vector<Mat>& truths)
+{
+    Mat truth = imread(file, IMREAD_UNCHANGED);
+    if (truth.empty())
+        return;
+    truth.convertTo(truth, CV_32S);
+    truths.push_back(truth);
+}
+
+static Example readExample(const String& file, const String& truth_dir, const String& depth_dir)
+{
+    Example example;
+    const size_t slash = file.find_last_of("/\\");
+    example.id = file.substr(slash + 1, file.rfind('.') - slash - 1);
+    const size_t suffix = example.id.rfind("_color");
+    if (suffix != String::npos)
+        example.id = example.id.substr(0, suffix);
+    example.image = imread(file, IMREAD_COLOR);
+    if (!depth_dir.empty())
+        example.depth = imread(depth_dir + "/" + example.id + "_depth.png", IMREAD_UNCHANGED);
+
+    const String truth = truth_dir + "/" + example.id;
+    if (utils::fs::exists(truth + "_labels.png"))
+        addTruth(truth + "_labels.png", example.truths);
+    for (int i = 0; utils::fs::exists(truth + format("-%d.png", i)); i++)
+        addTruth(truth + format("-%d.png", i), example.truths);
+    return example;
+}
+
+static std::vector<Example> readExamples(const String& image_dir, const String& truth_dir, const String& depth_dir,
+                                         size_t limit)
+{
+    std::vector<String> files, more;
+    utils::fs::glob(image_dir, "*.jpg", files);
+    utils::fs::glob(image_dir, "*.png", more);
+    for (size_t i = 0; i < more.size(); i++)
+        if (more[i].rfind("_depth.png") == String::npos && more[i].rfind("_labels.png") == String::npos)
+            files.push_back(more[i]);
+    std::sort(files.begin(), files.end());
+
+    std::vector<Example> examples;
+    for (size_t i = 0; i < files.size() && (limit == 0 || examples.size() < limit); i++)
+    {
+        const Example example = readExample(files[i], truth_dir, depth_dir);
+        if (!example.image.empty() && !example.truths.empty())
+            examples.push_back(example);
+    }
+    return examples;
+}
+
+static void writeRow(std::ostream& out, const String& method, int k, const String& image, const metrics::Scores& s)
+{
+    out << format("%s,%d,%s,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%.4g\n", method.c_str(), k, image.c_str(), s.recall,
+                  s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds);
+}
+
+static void addScores(const metrics::Scores& s, double weight, metrics::Scores& sum)
+{
+    sum.recall += weight * s.recall;
+    sum.ue += weight * s.ue;
+    sum.asa += weight * s.asa;
+    sum.ev += weight * s.ev;
+    sum.co += weight * s.co;
+    sum.superpixels += weight * s.superpixels;
+    sum.components += weight * s.components;
+    sum.milliseconds += weight * s.milliseconds;
+}
+
+//! Lines on the standard error while a long run goes on, one every few seconds.
+class Progress
+{
+public:
+    void show(const String& text)
+    {
+        const double SECONDS = 5;
+        if ((getTickCount() - last_) / getTickFrequency() < SECONDS)
+            return;
+        std::cerr << text << std::endl;
+        last_ = getTickCount();
+    }
+
+private:
+    int64 last_ = getTickCount();
+};
+
+//! Runs a method on all images, writes a row for each and returns the mean.
+static metrics::Scores runMethod(const Method& method, const String& name, bool with_depth, int k,
+                                 const std::vector<Example>& examples, bool ignore_zero, std::ostream& out,
+                                 Progress& progress)
+{
+    metrics::Scores mean;
+    for (size_t i = 0; i < examples.size(); i++)
+    {
+        const Example& example = examples[i];
+        TickMeter timer;
+        timer.start();
+        const Mat labels = method.segment(example.image, with_depth ? example.depth : Mat(), k);
+        timer.stop();
+        metrics::Scores scores = metrics::evaluate(labels, example.image, example.truths, ignore_zero);
+        scores.milliseconds = timer.getTimeMilli();
+        writeRow(out, name, k, example.id, scores);
+        addScores(scores, 1. / examples.size(), mean);
+        progress.show(name + format(", %d superpixels: image %d of %d", k, int(i) + 1, int(examples.size())));
+    }
+    writeRow(out, name, k, "mean", mean);
+    return mean;
+}
+
+int main(int argc, char** argv)
+{
+    CommandLineParser parser(argc, argv, KEYS);
+    parser.about("Compares superpixels with ground truth and writes a table (CSV); gwatershed_plot.py draws it.");
+    const String image_dir = parser.get<String>("images"), truth_dir = parser.get<String>("truth");
+    const String depth_dir = parser.get<String>("depth"), output = parser.get<String>("output");
+    const std::vector<String> numbers = split(parser.get<String>("numbers"));
+    const std::vector<String> wanted = split(parser.get<String>("methods"));
+    const bool ignore_zero = parser.has("ignore_zero");
+    const int limit = parser.get<int>("limit"), threads = parser.get<int>("threads");
+    if (parser.has("help") || image_dir.empty() || truth_dir.empty() || !parser.check())
+    {
+        parser.printMessage();
+        return parser.has("help") ? 0 : 2;
+    }
+    const std::vector<Example> examples = readExamples(image_dir, truth_dir, depth_dir, size_t(std::max(0, limit)));
+    std::ofstream out(output.c_str());
+    if (examples.empty() || !out)
+    {
+        std::cerr << (examples.empty() ? "No image with ground truth in " + image_dir : "Cannot write " + output)
+                  << std::endl;
+        return 1;
+    }
+    setNumThreads(threads);
+
+    out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
+    std::cout << format("%-24s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
+                        "CO", "N", "pieces", "ms");
+    const std::vector<Method> methods = allMethods();
+    Progress progress;
+    for (size_t i = 0; i < methods.size(); i++)
+        for (int with_depth = 0; with_depth <= (methods[i].takes_depth && !depth_dir.empty() ? 1 : 0); with_depth++)
+            for (size_t j = 0; j < numbers.size() && isWanted(methods[i].name, wanted); j++)
+            {
+                const int k = std::max(1, std::atoi(numbers[j].c_str()));
+                const String name = methods[i].name + (with_depth ? " with depth" : "");
+                const metrics::Scores s = runMethod(methods[i], name, with_depth != 0, k, examples, ignore_zero, out,
+                                                    progress);
+                std::cout << format("%-24s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
+                                    s.recall, s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds)
+                          << std::flush;
+            }
+    return 0;
+}
