@@ -38,7 +38,7 @@ CV_EXPORTS void extractLabels(NodeMap& nodes, Mat& labels);
 //! Mask of the pixels beside another label. (labels.cpp)
 void drawContours(const Mat& labels, bool thick_line, Mat& mask);
 
-//! Merges regions below min_area, smallest first; returns the new number of labels. (merge.cpp)
+//! Merges regions below min_area, smallest first; returns the new number of labels. (merge_small.cpp)
 int mergeSmallRegions(int num_labels, int min_area, Mat& labels);
 
 }}} // namespace
