@@ -36,35 +36,61 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
     return best;
 }
 
-//! i-th of n borders that divide a length evenly.
+//! i-th of the n + 1 borders that divide a length evenly.
 static int divide(int length, int i, int n)
 {
     return int(int64(length) * i / n);
 }
 
+//! Cells of n markers, n <= pixels: rows of cells that are about square; rows may differ by one cell.
+static std::vector<Rect> divideIntoCells(Size size, int n)
+{
+    const int fewest = (n + size.width - 1) / size.width; // rows that the cells need at least
+    const int square = cvRound(std::sqrt(double(n) * size.height / size.width));
+    const int rows = std::max(fewest, std::min(square, std::min(size.height, n)));
+    std::vector<Rect> cells(n);
+    for (int i = 0; i < rows; i++)
+    {
+        const int first = divide(n, i, rows), last = divide(n, i + 1, rows);
+        const int top = divide(size.height, i, rows), bottom = divide(size.height, i + 1, rows);
+        for (int k = first; k < last; k++)
+        {
+            const int left = divide(size.width, k - first, last - first);
+            const int right = divide(size.width, k - first + 1, last - first);
+            cells[k] = Rect(Point(left, top), Point(right, bottom));
+        }
+    }
+    return cells;
+}
+
 void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers)
 {
     CV_TRACE_FUNCTION();
-    const int width = gradient.cols, height = gradient.rows;
-    const int fewest = (num_markers + width - 1) / width; // rows that the cells need at least
-    const int square = cvRound(std::sqrt(double(num_markers) * height / width));
-    const int rows = std::max(fewest, std::min(square, std::min(height, num_markers)));
-
+    const std::vector<Rect> cells = divideIntoCells(gradient.size(), num_markers);
     markers.resize(num_markers);
-    parallel_for_(Range(0, rows), [&](const Range& range)
+    parallel_for_(Range(0, num_markers), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-        {
-            const int first = divide(num_markers, i, rows), last = divide(num_markers, i + 1, rows);
-            const int top = divide(height, i, rows), bottom = divide(height, i + 1, rows);
-            for (int k = first; k < last; k++)
-            {
-                const int left = divide(width, k - first, last - first);
-                const int right = divide(width, k - first + 1, last - first);
-                markers[k] = findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
-            }
-        }
+            markers[i] = findMarker(gradient, cells[i]);
     });
+}
+
+//! @note Where several markers make a superpixel, moving them to low gradients gains nothing
+//! (doc/log.md), but shifted rows do: three cells meet in a point then instead of four.
+void placeShiftedMarkers(Size size, int num_markers, std::vector<Point>& markers)
+{
+    CV_TRACE_FUNCTION();
+    const std::vector<Rect> cells = divideIntoCells(size, num_markers);
+    markers.resize(num_markers);
+    int row = -1, top = -1;
+    for (int i = 0; i < num_markers; i++)
+    {
+        const Rect& cell = cells[i];
+        if (cell.y != top)
+            row++;
+        top = cell.y;
+        markers[i] = Point(cell.x + cell.width * (row % 2 ? 3 : 1) / 4, cell.y + cell.height / 2);
+    }
 }
 
 }}} // namespace

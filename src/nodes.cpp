@@ -6,8 +6,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-static_assert(sizeof(Node) == 8, "a Node fills an element of CV_32SC2");
-
 //! cn is the number of channels; green and red are the channels 1 and 2, or 0 in a gray image.
 static void packRow(const uchar* color, int cn, const uchar* depth, Node* nodes, int cols)
 {
@@ -20,22 +18,15 @@ static void packRow(const uchar* color, int cn, const uchar* depth, Node* nodes,
     }
 }
 
-void NodeMap::create(const Mat& color, const Mat& depth)
+void makeNodes(const Mat& color, const Mat& depth, NodeMap& nodes)
 {
-    reserve(color.size());
+    CV_TRACE_FUNCTION();
     const Node frame = { FRAME, { 0, 0, 0, 0 } };
-    const int cols = color.cols;
-
-    std::fill_n(row(-1) - 1, cols + 2, frame);
-    std::fill_n(row(color.rows) - 1, cols + 2, frame);
+    nodes.create(color.size(), frame);
     parallel_for_(Range(0, color.rows), [&](const Range& range)
     {
         for (int y = range.start; y < range.end; y++)
-        {
-            Node* nodes = row(y);
-            nodes[-1] = nodes[cols] = frame;
-            packRow(color.ptr(y), color.channels(), depth.empty() ? 0 : depth.ptr(y), nodes, cols);
-        }
+            packRow(color.ptr(y), color.channels(), depth.empty() ? 0 : depth.ptr(y), nodes.row(y), color.cols);
     });
 }
 

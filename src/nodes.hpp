@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_NODES_HPP
 #define OPENCV_GWATERSHED_NODES_HPP
 
-#include "precomp.hpp"
+#include "padded.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -41,27 +41,10 @@ struct Node
     Pixel pixel;
 };
 
-//! The image as nodes with a frame of one node around it: neighbours need no test of bounds.
-class CV_EXPORTS NodeMap
-{
-public:
-    //! All nodes UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-    void create(const Mat& color, const Mat& depth);
-    //! Allocates for images of a size.
-    void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, CV_32SC2); }
-    void release() { buffer_.release(); }
+typedef Padded<Node> NodeMap;
 
-    Size size() const { return Size(buffer_.cols - 2, buffer_.rows - 2); }
-    Node* data() { return buffer_.ptr<Node>(); }
-    Node* row(int y) { return buffer_.ptr<Node>(y + 1) + 1; }
-    int index(Point p) const { return (p.y + 1) * buffer_.cols + p.x + 1; }
-    Point point(int index) const { return Point(index % buffer_.cols - 1, index / buffer_.cols - 1); }
-    //! Offset of the neighbours: left, top, right, bottom.
-    Vec4i neighbors() const { return Vec4i(-1, -buffer_.cols, 1, buffer_.cols); }
-
-private:
-    Mat buffer_;
-};
+//! All nodes UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
+CV_EXPORTS void makeNodes(const Mat& color, const Mat& depth, NodeMap& nodes);
 
 }}} // namespace
 

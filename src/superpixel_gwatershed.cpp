@@ -184,7 +184,7 @@ private:
         const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
         gws::computeGradient(color, scaled, alpha, gray_, gradient_);
         gws::placeMarkers(gradient_, parameters_.countSuperpixels(image.size()), markers_);
-        nodes_.create(color, scaled);
+        gws::makeNodes(color, scaled, nodes_);
         gws::floodFromMarkers(markers_, gradient_, parameters_.border_threshold, alpha, nodes_);
         gws::absorbLines(alpha, nodes_, lines_);
         gws::extractLabels(nodes_, labels_);
