@@ -7,7 +7,7 @@
 
 namespace opencv_test { namespace {
 
-CV_ENUM(Algorithm_, GWATERSHED)
+CV_ENUM(Algorithm_, RGWATERSHED, GWATERSHED)
 
 typedef PicturesTest<tuple<Algorithm_, Size> > Perf_GWatershed;
 typedef PicturesTest<Size> Perf_GWatershed_step;

@@ -107,12 +107,11 @@ static Mat segmentByGrid(const Mat& image, const Mat&, int k)
 
 static Mat toLab(const Mat& image, bool blur)
 {
-    Mat lab = image;
+    Mat blurred, lab;
     if (blur)
-        GaussianBlur(image, lab, Size(3, 3), 0);
-    Mat result;
-    cvtColor(lab, result, COLOR_BGR2Lab);
-    return result;
+        GaussianBlur(image, blurred, Size(3, 3), 0);
+    cvtColor(blur ? blurred : image, lab, COLOR_BGR2Lab);
+    return lab;
 }
 
 static Mat segmentBySLIC(const Mat& image, int k, int algorithm)
@@ -173,6 +172,9 @@ static Method peer(const String& name, const Segmenter& segment)
 static std::vector<Method> allMethods()
 {
     std::vector<Method> methods;
+    methods.push_back(gwatershed("RGWATERSHED", RGWATERSHED, 10, 1));
+    methods.push_back(gwatershed("RGWATERSHED, 4 iterations", RGWATERSHED, 10, 4));
+    methods.push_back(gwatershed("RGWATERSHED, ruler 2, 4 iterations", RGWATERSHED, 2, 4));
     methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
@@ -337,7 +339,7 @@ int main(int argc, char** argv)
     setNumThreads(threads);
 
     out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
-    std::cout << format("%-24s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
+    std::cout << format("%-36s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
                         "CO", "N", "pieces", "ms");
     const std::vector<Method> methods = allMethods();
     Progress progress;
@@ -349,7 +351,7 @@ int main(int argc, char** argv)
                 const String name = methods[i].name + (with_depth ? " with depth" : "");
                 const metrics::Scores s = runMethod(methods[i], name, with_depth != 0, k, examples, ignore_zero, out,
                                                     progress);
-                std::cout << format("%-24s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
+                std::cout << format("%-36s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
                                     s.recall, s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds)
                           << std::flush;
             }

@@ -6,13 +6,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The smallest gradient within a quarter of the cell from its centre; of equal ones the nearest
-//! to the centre, then the first in raster order. It lies in the cell, so markers never coincide.
+//! The smallest gradient within a quarter of the cell, one pixel at least, from its centre; of equal
+//! ones the nearest to the centre, then the first in raster order. It lies in the cell, so markers never coincide.
 //! @note The paper asks for local minima of the gradient and gives no rule.
 static Point findMarker(const Mat& gradient, const Rect& cell)
 {
     const Point center2(2 * cell.x + cell.width - 1, 2 * cell.y + cell.height - 1); // twice the centre
-    const int rx = cell.width / 4, ry = cell.height / 4;
+    const int rx = cell.width > 2 ? std::max(cell.width / 4, 1) : 0;
+    const int ry = cell.height > 2 ? std::max(cell.height / 4, 1) : 0;
     const Rect window(Point(center2.x / 2 - rx, center2.y / 2 - ry),
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
     Point best;
@@ -73,24 +74,6 @@ void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& mark
         for (int i = range.start; i < range.end; i++)
             markers[i] = findMarker(gradient, cells[i]);
     });
-}
-
-//! @note Where several markers make a superpixel, moving them to low gradients gains nothing
-//! (doc/log.md), but shifted rows do: three cells meet in a point then instead of four.
-void placeShiftedMarkers(Size size, int num_markers, std::vector<Point>& markers)
-{
-    CV_TRACE_FUNCTION();
-    const std::vector<Rect> cells = divideIntoCells(size, num_markers);
-    markers.resize(num_markers);
-    int row = -1, top = -1;
-    for (int i = 0; i < num_markers; i++)
-    {
-        const Rect& cell = cells[i];
-        if (cell.y != top)
-            row++;
-        top = cell.y;
-        markers[i] = Point(cell.x + cell.width * (row % 2 ? 3 : 1) / 4, cell.y + cell.height / 2);
-    }
 }
 
 }}} // namespace

@@ -36,9 +36,9 @@ static void measure(const Mat& labels, RegionGraph& graph, std::vector<int>& are
             const int label = row[x], right = row[std::min(x + 1, labels.cols - 1)];
             areas[label]++;
             if (right != label)
-                graph.addEdge(label, right, 0);
+                graph.addEdges(label, right, 1);
             if (below[x] != label)
-                graph.addEdge(label, below[x], 0);
+                graph.addEdges(label, below[x], 1);
         }
     }
 }

@@ -8,7 +8,8 @@ namespace cv { namespace ximgproc { namespace gws {
 
 void Parameters::setAlgorithm(int value)
 {
-    CV_Check(value, value == GWATERSHED, "algorithm must be GWATERSHED");
+    CV_Check(value, value == GWATERSHED || value == RGWATERSHED,
+             "algorithm must be GWATERSHED or RGWATERSHED");
     algorithm = value;
 }
 
@@ -60,6 +61,7 @@ void Parameters::write(FileStorage& fs) const
        << "num_superpixels" << num_superpixels
        << "ruler" << ruler
        << "alpha" << alpha
+       << "uniform_color" << int(uniform_color)
        << "near_depth" << near_depth
        << "far_depth" << far_depth
        << "border_threshold" << border_threshold;
@@ -84,6 +86,7 @@ Parameters Parameters::read(const FileNode& fn)
         parameters.setRegionSize(readValue<int>(fn, "region_size"));
     parameters.setRuler(readValue<float>(fn, "ruler"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
+    parameters.uniform_color = readValue<int>(fn, "uniform_color") != 0;
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;

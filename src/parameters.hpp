@@ -12,11 +12,12 @@ namespace cv { namespace ximgproc { namespace gws {
 //! The parameters of SuperpixelGWatershed. Setters throw, and change nothing, on a wrong value.
 struct Parameters
 {
-    int algorithm = GWATERSHED;
+    int algorithm = RGWATERSHED;
     int region_size = 10;   //!< 0: num_superpixels rules
     int num_superpixels = 0;
     float ruler = 10.f;
     float alpha = 0.5f;
+    bool uniform_color = false;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
     float border_threshold = 150; //!< measured, see doc/log.md; 0: none

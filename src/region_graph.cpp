@@ -18,10 +18,7 @@ RegionGraph::Boundary* RegionGraph::find(std::vector<Boundary>& boundaries, int 
 void RegionGraph::add(int region, const Boundary& boundary)
 {
     if (Boundary* known = find(boundaries_[region], boundary.neighbor))
-    {
         known->length += boundary.length;
-        known->height += boundary.height;
-    }
     else
         boundaries_[region].push_back(boundary);
 }
@@ -33,9 +30,9 @@ void RegionGraph::remove(int region, int neighbor)
     boundaries_[region].pop_back();
 }
 
-void RegionGraph::addEdge(int a, int b, int height)
+void RegionGraph::addEdges(int a, int b, int count)
 {
-    const Boundary to_b = { b, 1, height }, to_a = { a, 1, height };
+    const Boundary to_b = { b, count }, to_a = { a, count };
     add(a, to_b);
     add(b, to_a);
 }
@@ -50,7 +47,7 @@ void RegionGraph::unite(int from, int to)
         if (moved[i].neighbor == to)
             continue;
         add(to, moved[i]);
-        const Boundary back = { to, moved[i].length, moved[i].height };
+        const Boundary back = { to, moved[i].length };
         add(moved[i].neighbor, back);
     }
     parents_[from] = to;

@@ -17,23 +17,29 @@ public:
     struct Boundary
     {
         int neighbor;
-        int length;   //!< in pixel edges
-        int64 height; //!< sum of the heights of the edges
+        int length; //!< in pixel edges
     };
 
     explicit RegionGraph(int num_regions) : boundaries_(num_regions), parents_(num_regions)
     {
+        const int USUAL_NEIGHBORS = 8;
         for (int i = 0; i < num_regions; i++)
+        {
+            boundaries_[i].reserve(USUAL_NEIGHBORS);
             parents_[i] = i;
+        }
     }
 
-    //! Adds an edge between two pixels with labels a != b to their common boundary.
-    void addEdge(int a, int b, int height);
+    //! Adds edges between pixels with labels a != b to their common boundary.
+    void addEdges(int a, int b, int count);
 
     const std::vector<Boundary>& boundaries(int region) const { return boundaries_[region]; }
 
     //! Moves the boundaries of a region to a neighbour, which takes it in.
     void unite(int from, int to);
+
+    //! Whether a region has not been taken in by another.
+    bool isLeft(int region) const { return parents_[region] == region; }
 
     //! New number of each region: those that are left are numbered from 0 in the old order, those
     //! that were taken in have the number of the region they are in now. Returns how many are left.

@@ -24,9 +24,6 @@ CV_EXPORTS void computeGradient(const Mat& color, const Mat& depth, int alpha, M
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels. (markers.cpp)
 CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
-//! One marker for each of num_markers cells of a grid, those of alternate rows shifted. (markers.cpp)
-void placeShiftedMarkers(Size size, int num_markers, std::vector<Point>& markers);
-
 //! Algorithm 1: marker i gives the label i + 1. Leaves LINE and UNLABELLED nodes. (flood.cpp)
 //! A node whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
 CV_EXPORTS void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,

@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "parameters.hpp"
+#include "plain_watershed.hpp"
+#include "region_watershed.hpp"
 #include "steps.hpp"
 
 #include <new>
@@ -58,9 +59,10 @@ public:
     //! Makes room for images of a size.
     void reserve(Size size)
     {
-        gray_.create(size, CV_8UC1);
-        gradient_.create(size, CV_16UC1);
-        nodes_.reserve(size);
+        if (parameters_.algorithm == GWATERSHED)
+            plain_.reserve(size);
+        else
+            region_guided_.reserve(size);
         labels_.create(size, CV_32SC1);
     }
 
@@ -78,21 +80,21 @@ public:
         if (image_.empty())
             CV_Error(Error::StsError, "There is no image: call iterate(image), or give one to the factory");
         checkIterations(num_iterations);
-        segment(image_, depth_);
+        segment(image_, depth_, num_iterations);
     }
 
     void iterate(InputArray image, int num_iterations) CV_OVERRIDE
     {
         const Mat checked = checkImage(image);
         checkIterations(num_iterations);
-        segment(checked, Mat());
+        segment(checked, Mat(), num_iterations);
     }
 
     void iterate(InputArray image, InputArray depth, int num_iterations) CV_OVERRIDE
     {
         const Mat checked = checkImage(image), checked_depth = checkDepth(depth, checked.size());
         checkIterations(num_iterations);
-        segment(checked, checked_depth);
+        segment(checked, checked_depth, num_iterations);
     }
 
     void getLabels(OutputArray labels_out) const CV_OVERRIDE
@@ -115,8 +117,7 @@ public:
         image.create(labels_.size(), CV_8UC1);
         Mat mask = image.getMat();
         mask.setTo(Scalar(0));
-        for (size_t i = 0; i < lines_.size(); i++)
-            mask.at<uchar>(nodes_.point(lines_[i])) = 255;
+        plain_.drawLines(mask);
     }
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
@@ -138,6 +139,8 @@ public:
     float getRuler() const CV_OVERRIDE { return parameters_.ruler; }
     void setAlpha(float alpha) CV_OVERRIDE { parameters_.setAlpha(alpha); }
     float getAlpha() const CV_OVERRIDE { return parameters_.alpha; }
+    void setUniformColor(bool uniform) CV_OVERRIDE { parameters_.uniform_color = uniform; }
+    bool getUniformColor() const CV_OVERRIDE { return parameters_.uniform_color; }
     void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
     float getNearDepth() const CV_OVERRIDE { return parameters_.near_depth; }
     float getFarDepth() const CV_OVERRIDE { return parameters_.far_depth; }
@@ -161,33 +164,24 @@ private:
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
-    //! Runs the steps. If memory runs out, there is no segmentation, and the next call starts anew.
-    void segment(const Mat& image, const Mat& depth)
+    //! If memory runs out, there is no segmentation, and the next call starts anew.
+    void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
         num_labels_ = 0;
         try
         {
-            runSteps(image, depth);
+            const Mat color = gws::convertImage(image, converted_);
+            const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
+            if (parameters_.algorithm == GWATERSHED)
+                plain_.run(color, scaled, parameters_, labels_);
+            else
+                region_guided_.run(color, scaled, parameters_, num_iterations, labels_);
         }
         catch (const std::bad_alloc&)
         {
             CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
         }
-        num_labels_ = int(markers_.size());
-    }
-
-    void runSteps(const Mat& image, const Mat& depth)
-    {
-        CV_TRACE_FUNCTION();
-        const int alpha = parameters_.alphaWeight();
-        const Mat color = gws::convertImage(image, converted_);
-        const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
-        gws::computeGradient(color, scaled, alpha, gray_, gradient_);
-        gws::placeMarkers(gradient_, parameters_.countSuperpixels(image.size()), markers_);
-        gws::makeNodes(color, scaled, nodes_);
-        gws::floodFromMarkers(markers_, gradient_, parameters_.border_threshold, alpha, nodes_);
-        gws::absorbLines(alpha, nodes_, lines_);
-        gws::extractLabels(nodes_, labels_);
+        num_labels_ = parameters_.countSuperpixels(image.size());
     }
 
     gws::Parameters parameters_;
@@ -195,12 +189,11 @@ private:
 
     int num_labels_ = 0; // 0: there is no segmentation
     Mat labels_;
-    std::vector<int> lines_; // nodes that the flood left without a label
 
-    // Buffers that stay from one image to the next.
-    Mat converted_, scaled_, gray_, gradient_;
-    std::vector<Point> markers_;
-    gws::NodeMap nodes_;
+    // The algorithms, and buffers that stay from one image to the next.
+    gws::PlainWatershed plain_;
+    gws::RegionWatershed region_guided_;
+    Mat converted_, scaled_;
 };
 
 } // namespace

@@ -11,7 +11,7 @@ namespace opencv_test
 {
 
 //! The algorithms that every property is asked of.
-#define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED))
+#define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED), int(RGWATERSHED))
 
 enum ImageKind { FLAT, NOISE, RAMP, STRIPES, CHECKERBOARD, SCENE, IMAGE_KINDS };
 

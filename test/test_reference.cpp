@@ -72,7 +72,7 @@ struct PlainGWatershed
         return g;
     }
 
-    // One seed for each cell: among the pixels within a quarter of the cell from its centre the one
+    // One seed for each cell: among the pixels within a quarter of the cell, or one, from its centre the one
     // with the smallest (gradient, distance to the centre, y, x).
     static std::vector<Point> seeds(const Mat& g, int k)
     {
@@ -89,7 +89,8 @@ struct PlainGWatershed
                 const int x0 = g.cols * j / n, x1 = g.cols * (j + 1) / n;
                 const int y0 = g.rows * i / rows, y1 = g.rows * (i + 1) / rows;
                 const double cx = (x0 + x1 - 1) / 2., cy = (y0 + y1 - 1) / 2.;
-                const int rx = (x1 - x0) / 4, ry = (y1 - y0) / 4;
+                const int rx = x1 - x0 <= 2 ? 0 : std::max(1, (x1 - x0) / 4);
+                const int ry = y1 - y0 <= 2 ? 0 : std::max(1, (y1 - y0) / 4);
                 std::vector<Vec4d> candidates;
                 for (int y = y0; y < y1; y++)
                     for (int x = x0; x < x1; x++)

@@ -28,7 +28,10 @@ enum GWatershedType
 {
     //! Algorithm 1 of @cite Jiang2015 : the height of a pixel is its distance to the neighbour that
     //! reaches it. One pass; `ruler` and `num_iterations` have no effect.
-    GWATERSHED = 200
+    GWATERSHED = 200,
+    //! Region-guided: the height of a pixel is its distance to the mean of the region that reaches
+    //! it. Better in every measure, and faster. The default.
+    RGWATERSHED = 201
 };
 
 /** @brief Superpixels by a marker-controlled watershed on a gradient map @cite Jiang2015 .
@@ -196,6 +199,14 @@ public:
     //! @see setAlpha
     CV_WRAP virtual float getAlpha() const = 0;
 
+    /** @brief Tells whether images come in a perceptually uniform colour space.
+    @param uniform If false, the default, images are BGR and RGWATERSHED converts them to an
+    opponent space. If true, it takes the channels as they are: lightness and two colour
+    differences, for example CIELAB as cv::cvtColor makes it. GWATERSHED never converts. */
+    CV_WRAP virtual void setUniformColor(bool uniform) = 0;
+    //! @see setUniformColor
+    CV_WRAP virtual bool getUniformColor() const = 0;
+
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
     A range makes the scale the same for every frame. CV_8UC1 depth is taken as it is.
@@ -235,7 +246,7 @@ Images of another size are taken as well.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
         int image_width, int image_height, int image_channels, int num_superpixels,
-        int algorithm = GWATERSHED, float ruler = 10.0f);
+        int algorithm = RGWATERSHED, float ruler = 10.0f);
 
 /** @overload
 @brief Makes an object for an image, as createSuperpixelSLIC() does.
@@ -246,7 +257,7 @@ CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, int algorithm = GWATERSHED, int region_size = 10, float ruler = 10.0f);
+        InputArray image, int algorithm = RGWATERSHED, int region_size = 10, float ruler = 10.0f);
 
 /** @overload
 @brief Makes an object for an image with depth.
@@ -259,7 +270,7 @@ CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
 @param alpha Weight of colour against depth. See SuperpixelGWatershed::setAlpha.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, InputArray depth, int algorithm = GWATERSHED, int region_size = 10,
+        InputArray image, InputArray depth, int algorithm = RGWATERSHED, int region_size = 10,
         float ruler = 10.0f, float alpha = 0.5f);
 
 //! @}

@@ -1,0 +1,171 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "region_steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Queues of nodes by height, first in first out each. Nothing is pushed below the last pop.
+class HeightQueue
+{
+public:
+    enum { HEIGHTS = 1024 };
+
+    HeightQueue() : free_(NONE), height_(0) { std::fill_n(first_, int(HEIGHTS), int(NONE)); }
+
+    //! The height of the last node taken out.
+    int height() const { return height_; }
+
+    void push(int node, int height)
+    {
+        const Entry entry = { node, NONE };
+        int e = free_;
+        if (e != NONE)
+        {
+            free_ = entries_[e].next;
+            entries_[e] = entry;
+        }
+        else
+        {
+            e = int(entries_.size());
+            entries_.push_back(entry);
+        }
+        if (first_[height] == NONE)
+            first_[height] = e;
+        else
+            entries_[last_[height]].next = e;
+        last_[height] = e;
+    }
+
+    //! Returns 0, a node of the frame, if all queues are empty.
+    int pop()
+    {
+        while (first_[height_] == NONE)
+            if (++height_ == HEIGHTS)
+                return 0;
+        const int e = first_[height_];
+        first_[height_] = entries_[e].next;
+        entries_[e].next = free_;
+        free_ = e;
+        return entries_[e].node;
+    }
+
+private:
+    enum { NONE = -1 };
+    struct Entry
+    {
+        int node, next;
+    };
+
+    std::vector<Entry> entries_;
+    int free_; // chain of entries that were taken out
+    int height_;
+    int first_[HEIGHTS], last_[HEIGHTS];
+};
+
+//! Length of a vector within 4 percent, without a root.
+static inline int octagonalLength(Point v)
+{
+    const int x = std::abs(v.x), y = std::abs(v.y), longer = std::max(x, y), shorter = std::min(x, y);
+    return longer - (longer >> 5) + ((13 * shorter) >> 5);
+}
+
+class RegionFlood
+{
+public:
+    RegionFlood(const Padded<Feature>& features, const std::vector<Point>& markers, const RegionDistance& distance,
+                int ruler, Padded<int>& labels, Regions& regions)
+        : features_(features), markers_(markers), distance_(distance), ruler_(ruler),
+          neighbors_(labels.neighbors()), labels_(labels), regions_(regions),
+          updates_(markers.size(), 0), heights_(features.step() * (features.size().height + 2))
+    {
+    }
+
+    //! Invariant: a node may wait several times, each time at a lower height and for the region
+    //! that offered it; when it is first taken out, the last offer stands, and the node takes
+    //! that label. No height lies below the one being flooded, and equal heights keep their order,
+    //! so the result depends on the order of the markers and nothing else.
+    void run()
+    {
+        for (int i = 0; i < int(markers_.size()); i++)
+            settle(labels_.index(markers_[i]), i);
+        for (int i = 0; i < int(markers_.size()); i++)
+            spread(labels_.index(markers_[i]), i);
+        while (const int node = queue_.pop())
+        {
+            const int label = labels_.data()[node];
+            if (label >= 0)
+                continue; // it was taken out at a lower height before
+            settle(node, OFFERED - label);
+            spread(node, OFFERED - label);
+        }
+    }
+
+private:
+    enum { OFFERED = -2 }; // OFFERED - i: waits for the region i
+
+    void settle(int node, int i)
+    {
+        labels_.data()[node] = i;
+        RegionSum& sum = regions_.sums[i];
+        sum.add(features_.data()[node]);
+        if (sum.area < updates_[i])
+            return;
+        regions_.update(i);
+        updates_[i] = sum.area + sum.area / 4 + 1; // the mean of many hardly moves
+    }
+
+    void spread(int node, int i)
+    {
+        const Point offset = labels_.point(node) - markers_[i];
+        for (int k = 0; k < 4; k++)
+        {
+            const int to = node + neighbors_[k], label = labels_.data()[to];
+            if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
+                continue;
+            const Point step((k == 2) - (k == 0), (k == 3) - (k == 1));
+            const int height = std::max(heightOf(to, i, offset + step), queue_.height());
+            if (label != UNSEEN && height >= heights_[to])
+                continue; // another region offers as much
+            labels_.data()[to] = OFFERED - i;
+            heights_[to] = ushort(height);
+            queue_.push(to, height);
+        }
+    }
+
+    //! In quarters of a level; what is higher than all queues waits in the last one.
+    int heightOf(int node, int i, Point offset) const
+    {
+        const int64 away = (int64(ruler_) * octagonalLength(offset * 16)) >> 12;
+        const int64 height = (distance_(features_.data()[node], regions_.means[i]) + away) >> 2;
+        return int(std::min<int64>(height, HeightQueue::HEIGHTS - 1));
+    }
+
+    const Padded<Feature>& features_;
+    const std::vector<Point>& markers_;
+    const RegionDistance distance_;
+    const int ruler_;
+    const Vec4i neighbors_;
+    Padded<int>& labels_;
+    Regions& regions_;
+    HeightQueue queue_;
+    std::vector<int> updates_;     // area at which the means of a region are taken anew
+    std::vector<ushort> heights_;  // at which a node waits
+};
+
+//! @note Section III.B with a region in the place of the neighbour: the height of a pixel is its
+//! distance to the mean of the region that reaches it, plus its distance to the marker.
+void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
+                  const RegionDistance& distance, int ruler, Padded<int>& labels, Regions& regions)
+{
+    CV_TRACE_FUNCTION();
+    labels.create(features.size(), OUTSIDE);
+    for (int y = 0; y < labels.size().height; y++)
+        std::fill_n(labels.row(y), labels.size().width, int(UNSEEN));
+    regions.clear(int(markers.size()));
+    RegionFlood(features, markers, distance, ruler, labels, regions).run();
+    regions.update();
+}
+
+}}} // namespace

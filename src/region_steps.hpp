@@ -1,0 +1,74 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGION_STEPS_HPP
+#define OPENCV_GWATERSHED_REGION_STEPS_HPP
+
+#include "region.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! @file The steps of RGWATERSHED, in their order.
+
+//! Opponent colours, or colours as they are, and depth. (features.cpp)
+//! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
+void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features);
+
+//! Blurred means of blocks of 2x2 pixels; an odd last row or column is repeated. (features.cpp)
+void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved);
+
+//! Gradient map of all colours and depth, CV_16UC1. (features.cpp)
+void computeGradient(const Padded<Feature>& features, Mat& gradient);
+
+//! Floods from the markers; marker i grows the region i. (region_flood.cpp)
+//! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
+void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
+                  const RegionDistance& distance, int ruler, Padded<int>& labels, Regions& regions);
+
+//! Merges the most similar neighbours until num_regions are left. (merge_similar.cpp)
+//! boundary_exponent, in 1/16, is how much a long common boundary counts.
+void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int boundary_exponent,
+                         Padded<int>& labels, Regions& regions);
+
+//! Labels of blocks of 2x2 pixels to the pixels. (refine.cpp)
+void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
+
+//! Regions measured anew. (refine.cpp)
+void measureRegions(const Padded<Feature>& features, const Padded<int>& labels, Regions& regions);
+
+//! Pixels with a 4-neighbour of another label, in raster order. (refine.cpp)
+void listBoundary(const Padded<int>& labels, std::vector<int>& boundary);
+
+//! Keeps sweeps from making the superpixels worse as an approximation of the colours. (guard.cpp)
+class VariationGuard
+{
+public:
+    //! color is 8-bit with any number of channels; the first three count.
+    VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions);
+
+    //! Whether a pixel is as near to the mean colour of the region `to` as to that of `from`.
+    bool permits(Point p, int from, int to) const;
+    void move(Point p, int from, int to);
+    //! Takes the means anew.
+    void update();
+
+private:
+    Vec3d colorAt(Point p) const;
+
+    Mat color_;
+    std::vector<Vec3d> sums_, means_;
+    std::vector<int> areas_;
+};
+
+//! One pass over the boundary: its pixels go to the neighbouring region of the lowest energy, while
+//! each region stays one piece. (refine.cpp)
+//! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
+//! guard may be 0. boundary is replaced by what the next sweep has to look at; marks are zero.
+void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
+                   VariationGuard* guard, Padded<int>& labels, Regions& regions,
+                   std::vector<uchar>& marks, std::vector<int>& boundary);
+
+}}} // namespace
+
+#endif
