@@ -174,7 +174,7 @@ static std::vector<Method> allMethods()
     std::vector<Method> methods;
     methods.push_back(gwatershed("RGWATERSHED", RGWATERSHED, 10, 1));
     methods.push_back(gwatershed("RGWATERSHED, 4 iterations", RGWATERSHED, 10, 4));
-    methods.push_back(gwatershed("RGWATERSHED, ruler 2, 4 iterations", RGWATERSHED, 2, 4));
+    methods.push_back(gwatershed("RGWATERSHED, ruler 1, 8 iterations", RGWATERSHED, 1, 8));
     methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));

@@ -92,22 +92,22 @@ void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved)
     });
 }
 
-//! Sum of the absolute differences of the neighbours to both sides, over colours and depth, in steps
-//! so large that markers leave the centres of their cells for real edges only.
-static int gradientAt(const Feature* f, int step)
+//! Sum of the absolute differences of the neighbours to both sides, in steps so large that markers
+//! leave the centres of their cells for real edges only.
+static int gradientAt(const Feature* f, int step, const RegionDistance& distance)
 {
-    int sum = 0;
+    const int STEP = 32;
+    int color = 0;
     for (int k = 0; k < 3; k++)
-        sum += std::abs(f[1].color[k] - f[-1].color[k]) + std::abs(f[step].color[k] - f[-step].color[k]);
-    if (f[1].depth && f[-1].depth)
-        sum += std::abs(f[1].depth - f[-1].depth);
-    if (f[step].depth && f[-step].depth)
-        sum += std::abs(f[step].depth - f[-step].depth);
-    return sum / 32;
+        color += std::abs(f[1].color[k] - f[-1].color[k]) + std::abs(f[step].color[k] - f[-step].color[k]);
+    if (!f[1].depth || !f[-1].depth || !f[step].depth || !f[-step].depth)
+        return color / STEP;
+    const int depth = std::abs(f[1].depth - f[-1].depth) + std::abs(f[step].depth - f[-step].depth);
+    return (distance.color_share * color + distance.depth_share * depth) / (256 * STEP);
 }
 
 //! The pixels at the border of the image have no neighbours to both sides: they count as edges.
-void computeGradient(const Padded<Feature>& features, Mat& gradient)
+void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient)
 {
     CV_TRACE_FUNCTION();
     gradient.create(features.size(), CV_16UC1);
@@ -116,7 +116,7 @@ void computeGradient(const Padded<Feature>& features, Mat& gradient)
     {
         for (int y = range.start; y < range.end; y++)
             for (int x = 1; x < gradient.cols - 1; x++)
-                gradient.at<ushort>(y, x) = ushort(gradientAt(features.row(y) + x, features.step()));
+                gradient.at<ushort>(y, x) = ushort(gradientAt(features.row(y) + x, features.step(), distance));
     });
 }
 

@@ -18,8 +18,8 @@ void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded
 //! Blurred means of blocks of 2x2 pixels; an odd last row or column is repeated. (features.cpp)
 void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved);
 
-//! Gradient map of all colours and depth, CV_16UC1. (features.cpp)
-void computeGradient(const Padded<Feature>& features, Mat& gradient);
+//! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1. (features.cpp)
+void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);
 
 //! Floods from the markers; marker i grows the region i. (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.

@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // doc/log.md has the figures.
 
 static const int MARKERS_PER_SUPERPIXEL = 4;  // the flood makes as many regions, which are merged
-static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, or smaller blocks are flooded
+static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, or smaller blocks are flooded; at ruler 0 twice as many
 static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
 static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
@@ -22,16 +22,16 @@ static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
 static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
-static const int SWEEP_LIGHTNESS = 170, SWEEP_CHROMA = 218;
+static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with the side, as the area that a smoother boundary shifts does.
-static const double PRICE_BEFORE_MERGING = 10, PRICE = 28;
+static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
 
 static int boundaryPrice(double price, double side, float ruler)
 {
     const double PART_WITHOUT_RULER = 0.1;
-    const double scale = std::min(std::max(side / 17, 0.5), 2.);
+    const double scale = std::min(std::max(side * side / 289, 0.25), 4.);
     return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
 }
 
@@ -41,14 +41,16 @@ static int boundaryExponent(float ruler)
     return cvRound(4 + 8 * std::min(ruler / 10, 1.f));
 }
 
-//! How often the image is halved before it is flooded: a superpixel must keep enough blocks.
-static int chooseLevel(Size size, int num_superpixels, int max_level)
+//! How often the image is halved before it is flooded: a superpixel must keep enough blocks, and
+//! more if its boundary may be irregular.
+static int chooseLevel(Size size, int num_superpixels, float ruler, int max_level)
 {
+    const double blocks = BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
     int level = 0;
     while (level < max_level)
     {
         size = Size((size.width + 1) / 2, (size.height + 1) / 2);
-        if (double(size.width) * size.height < double(num_superpixels) * BLOCKS_PER_SUPERPIXEL)
+        if (double(size.width) * size.height < num_superpixels * blocks)
             break;
         level++;
     }
@@ -82,7 +84,7 @@ void RegionWatershed::floodAndMerge(int level, int num_superpixels, double side,
     const double ruler = 4096 * parameters.ruler * FLOOD_RULER / std::sqrt(blocks / num_markers);
     const RegionDistance distance(FLOOD_LIGHTNESS, FLOOD_CHROMA, parameters.alpha);
 
-    computeGradient(features_[level], gradient_);
+    computeGradient(features_[level], distance, gradient_);
     placeMarkers(gradient_, num_markers, markers_);
     floodRegions(features_[level], markers_, distance, cvRound(std::min(ruler, double(INT_MAX))),
                  labels_[level], regions_);
@@ -97,7 +99,7 @@ void RegionWatershed::run(const Mat& color, const Mat& depth, const Parameters& 
     CV_TRACE_FUNCTION();
     const int num_superpixels = parameters.countSuperpixels(color.size());
     const double side = std::sqrt(double(color.total()) / num_superpixels);
-    const int top = chooseLevel(color.size(), num_superpixels, MAX_LEVEL);
+    const int top = chooseLevel(color.size(), num_superpixels, parameters.ruler, MAX_LEVEL);
 
     makeFeatures(color, depth, parameters.uniform_color, features_[0]);
     for (int level = 1; level <= top; level++)

@@ -117,7 +117,8 @@ public:
         image.create(labels_.size(), CV_8UC1);
         Mat mask = image.getMat();
         mask.setTo(Scalar(0));
-        plain_.drawLines(mask);
+        if (has_lines_)
+            plain_.drawLines(mask);
     }
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
@@ -172,7 +173,8 @@ private:
         {
             const Mat color = gws::convertImage(image, converted_);
             const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
-            if (parameters_.algorithm == GWATERSHED)
+            has_lines_ = parameters_.algorithm == GWATERSHED;
+            if (has_lines_)
                 plain_.run(color, scaled, parameters_, labels_);
             else
                 region_guided_.run(color, scaled, parameters_, num_iterations, labels_);
@@ -189,6 +191,7 @@ private:
 
     int num_labels_ = 0; // 0: there is no segmentation
     Mat labels_;
+    bool has_lines_ = false; // the segmentation is by GWATERSHED
 
     // The algorithms, and buffers that stay from one image to the next.
     gws::PlainWatershed plain_;

@@ -151,6 +151,58 @@ void expectPartition(const Mat& labels, Size size, int num_labels)
     EXPECT_EQ(num_labels, countPieces(labels));
 }
 
+static int numberOfLabels(const Mat& labels)
+{
+    double largest = 0;
+    minMaxLoc(labels, 0, &largest);
+    return int(largest) + 1;
+}
+
+double explainedVariation(const Mat& labels, const Mat& image)
+{
+    const int n = numberOfLabels(labels);
+    std::vector<Vec3d> sums(n, Vec3d::all(0));
+    std::vector<int> areas(n, 0);
+    double squares = 0;
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+        {
+            const Vec3d color = image.at<Vec3b>(y, x);
+            sums[labels.at<int>(y, x)] += color;
+            areas[labels.at<int>(y, x)]++;
+            squares += color.dot(color);
+        }
+    Vec3d all = Vec3d::all(0);
+    double kept = 0;
+    for (int i = 0; i < n; i++)
+    {
+        all += sums[i];
+        kept += sums[i].dot(sums[i]) / areas[i];
+    }
+    const double common = all.dot(all) / double(image.total());
+    return (kept - common) / (squares - common);
+}
+
+double compactness(const Mat& labels)
+{
+    const int n = numberOfLabels(labels);
+    std::vector<double> area(n, 0), perimeter(n, 0);
+    Mat framed;
+    cv::copyMakeBorder(labels, framed, 1, 1, 1, 1, BORDER_CONSTANT, Scalar(-1));
+    for (int y = 1; y <= labels.rows; y++)
+        for (int x = 1; x <= labels.cols; x++)
+        {
+            const int label = framed.at<int>(y, x);
+            area[label]++;
+            perimeter[label] += (framed.at<int>(y, x - 1) != label) + (framed.at<int>(y, x + 1) != label) +
+                                (framed.at<int>(y - 1, x) != label) + (framed.at<int>(y + 1, x) != label);
+        }
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        sum += area[i] * 4 * CV_PI * area[i] / (perimeter[i] * perimeter[i]);
+    return sum / double(labels.total());
+}
+
 bool equalMats(const Mat& a, const Mat& b)
 {
     return a.size() == b.size() && a.type() == b.type() && cvtest::norm(a, b, NORM_INF) == 0;

@@ -33,6 +33,10 @@ int countPieces(const Mat& labels);
 //! All pixels labelled, labels 0..N-1 without gaps, each of them one 4-connected piece.
 void expectPartition(const Mat& labels, Size size, int num_labels);
 bool equalMats(const Mat& a, const Mat& b);
+//! Share of the variance of a CV_8UC3 image that the mean colours of the superpixels keep.
+double explainedVariation(const Mat& labels, const Mat& image);
+//! Mean over the pixels of 4 pi area / perimeter^2 of their superpixel.
+double compactness(const Mat& labels);
 
 //! Sets the number of threads for a scope.
 struct ThreadsGuard

@@ -103,27 +103,44 @@ TEST_P(ximgproc_GWatershed_partition, gives_each_pixel_its_own_label_if_more_are
     }
 }
 
-// Lengths of the shortest 4-connected paths from a seed, on a flat image simply |dx| + |dy|.
-TEST_P(ximgproc_GWatershed_partition, gives_the_grid_on_a_flat_image)
+static std::vector<int> areasOf(const Mat& labels, int n)
+{
+    std::vector<int> areas(n, 0);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            areas[labels.at<int>(y, x)]++;
+    return areas;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, gives_the_grid_on_a_flat_image)
 {
     const Size sizes[] = { Size(120, 120), Size(121, 87), Size(64, 200) };
     for (int i = 0; i < 3; i++)
     {
         const Mat image(sizes[i], CV_8UC3, Scalar(80, 90, 100));
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 12);
-        gws->iterate();
-        const Mat labels = labelsOf(gws);
-        const int n = gws->getNumberOfSuperpixels();
-        const double side = std::sqrt(double(image.total()) / n);
-        std::vector<int> area(n, 0);
-        for (int y = 0; y < labels.rows; y++)
-            for (int x = 0; x < labels.cols; x++)
-                area[labels.at<int>(y, x)]++;
+        const Mat labels = segment(image, GWATERSHED, 12);
+        const int n = cvRound(sizes[i].area() / 144.);
+        const std::vector<int> areas = areasOf(labels, n);
         // Within one row and one column, and what rows of unequal numbers of markers differ by.
-        const int rows = cvRound(sizes[i].height / side);
-        const double cell = double(image.total()) / n, slack = 2 * side + cell * rows / n;
-        EXPECT_GE(*std::min_element(area.begin(), area.end()), cell - slack);
-        EXPECT_LE(*std::max_element(area.begin(), area.end()), cell + slack);
+        const double cell = double(image.total()) / n, side = std::sqrt(cell);
+        const double slack = 2 * side + cell * cvRound(sizes[i].height / side) / n;
+        EXPECT_GE(*std::min_element(areas.begin(), areas.end()), cell - slack);
+        EXPECT_LE(*std::max_element(areas.begin(), areas.end()), cell + slack);
+    }
+}
+
+// RGWATERSHED merges several cells of a finer grid to a superpixel, so it can be less regular.
+TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_of_a_flat_image_are_about_equal)
+{
+    const Size sizes[] = { Size(120, 120), Size(121, 87), Size(64, 200), Size(640, 480) };
+    for (int i = 0; i < 4; i++)
+    {
+        const Mat image(sizes[i], CV_8UC3, Scalar(80, 90, 100));
+        const int n = cvRound(sizes[i].area() / 144.);
+        const std::vector<int> areas = areasOf(segment(image, RGWATERSHED, 12), n);
+        const double cell = double(image.total()) / n;
+        EXPECT_GE(*std::min_element(areas.begin(), areas.end()), 0.4 * cell);
+        EXPECT_LE(*std::max_element(areas.begin(), areas.end()), 2.0 * cell);
     }
 }
 
@@ -149,41 +166,58 @@ static double agreement(const Mat& a, const Mat& b)
     return double(countNonZero(a & wide)) / countNonZero(a);
 }
 
-TEST_P(ximgproc_GWatershed_partition, has_no_direction)
+//! Segments a mirrored or a transposed image and turns the labels back.
+static Mat segmentTurned(const Mat& image, bool mirrored, int algorithm)
+{
+    Mat turned, back;
+    if (mirrored)
+        flip(image, turned, 1);
+    else
+        cv::transpose(image, turned);
+    const Mat labels = segment(turned, algorithm, 20);
+    if (mirrored)
+        flip(labels, back, 1);
+    else
+        cv::transpose(labels, back);
+    return back;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, has_no_direction)
 {
     RNG& rng = theRNG();
     double mean[2] = { 0, 0 };
     const int count = 6;
     for (int i = 0; i < count; i++)
     {
-        const Mat image = makeScene(Size(240, 240), rng);
-        const Mat labels = segment(image, GetParam(), 20);
-        for (int flipped = 0; flipped < 2; flipped++)
-        {
-            Mat other, back;
-            if (flipped)
-                flip(image, other, 1);
-            else
-                cv::transpose(image, other);
-            const Mat other_labels = segment(other, GetParam(), 20);
-            if (flipped)
-                flip(other_labels, back, 1);
-            else
-                cv::transpose(other_labels, back);
-            mean[flipped] += agreement(thickContours(labels), thickContours(back)) / count;
-        }
+        const Mat image = makeScene(Size(240, 240), rng), contours = thickContours(segment(image, GWATERSHED, 20));
+        for (int mirrored = 0; mirrored < 2; mirrored++)
+            mean[mirrored] += agreement(contours, thickContours(segmentTurned(image, mirrored != 0, GWATERSHED))) / count;
     }
     EXPECT_GE(mean[0], 0.95) << "transposed";
     EXPECT_GE(mean[1], 0.95) << "mirrored";
 }
 
-TEST_P(ximgproc_GWatershed_partition, parts_a_plateau_in_the_middle)
+// RGWATERSHED floods blocks of pixels and merges what it found, so that a block more to one side
+// leads to other superpixels; they must not be worse ones.
+TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_are_as_good_in_every_direction)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 6; i++)
+    {
+        const Mat image = makeScene(Size(240, 240), rng);
+        const double variation = explainedVariation(segment(image, RGWATERSHED, 20), image);
+        for (int mirrored = 0; mirrored < 2; mirrored++)
+            EXPECT_NEAR(variation, explainedVariation(segmentTurned(image, mirrored != 0, RGWATERSHED), image), 0.01);
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, parts_a_plateau_in_the_middle)
 {
     // Two markers on a flat strip: the border lies half way between them.
     for (int width = 12; width < 60; width++)
     {
         const Mat strip(5, width, CV_8UC1, Scalar(7));
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(width, 5, 1, 2, GetParam());
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(width, 5, 1, 2, GWATERSHED);
         gws->iterate(strip);
         Mat labels = labelsOf(gws);
         EXPECT_NEAR(width / 2., countNonZero(labels.row(2) == 0), 1.);

@@ -142,7 +142,8 @@ public:
     /** @brief Returns the watershed lines of Algorithm 1, before they were given to the superpixels.
 
     @param image CV_8UC1 mask of the size of the image: 255 where two floods met, where the
-    gradient reached the border threshold, and where no flood came because of it; 0 elsewhere.
+    gradient reached the border threshold, and where no flood came because of it; 0 elsewhere, and
+    everywhere after RGWATERSHED, which makes no lines.
 
     Throws cv::Exception before the first iterate().
     */

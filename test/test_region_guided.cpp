@@ -1,0 +1,164 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// What holds for RGWATERSHED alone: iterations, ruler, colour space, weights of depth.
+
+Mat segmentGuided(const Mat& image, int num_superpixels, float ruler, int iterations)
+{
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(image.cols, image.rows, image.channels(), num_superpixels, RGWATERSHED, ruler);
+    gws->iterate(image, iterations);
+    return labelsOf(gws);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, region_guided_is_the_default)
+{
+    const Mat image = makeScene(Size(60, 40), theRNG()), depth(image.size(), CV_16UC1, Scalar(1));
+    EXPECT_EQ(RGWATERSHED, createSuperpixelGWatershed(60, 40, 3, 10)->getAlgorithm());
+    EXPECT_EQ(RGWATERSHED, createSuperpixelGWatershed(image)->getAlgorithm());
+    EXPECT_EQ(RGWATERSHED, createSuperpixelGWatershed(image, depth)->getAlgorithm());
+}
+
+TEST(ximgproc_SuperpixelGWatershed, more_iterations_never_explain_less)
+{
+    RNG& rng = theRNG();
+    const float rulers[] = { 0, 1, 10, 40 };
+    for (int i = 0; i < 24; i++)
+    {
+        const Mat image = makeImage(i % 6 == 5 ? NOISE : SCENE, Size(rng.uniform(40, 220), rng.uniform(40, 180)), 3, rng);
+        const int num_superpixels = rng.uniform(2, 400);
+        double before = 0;
+        for (int iterations = 1; iterations <= 6; iterations++)
+        {
+            const Mat labels = segmentGuided(image, num_superpixels, rulers[i % 4], iterations);
+            expectPartition(labels, image.size(), num_superpixels);
+            const double variation = explainedVariation(labels, image);
+            EXPECT_GE(variation, before - 1e-12) << i << ", iteration " << iterations;
+            before = variation;
+        }
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, iterations_improve_scenes)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 5; i++)
+    {
+        const Mat image = makeScene(Size(240, 180), rng);
+        EXPECT_GT(explainedVariation(segmentGuided(image, 108, 10, 4), image),
+                  explainedVariation(segmentGuided(image, 108, 10, 1), image));
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, explains_more_than_algorithm_1)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 5; i++)
+    {
+        const Mat image = makeScene(Size(240, 180), rng);
+        EXPECT_GT(explainedVariation(segment(image, RGWATERSHED, 20), image),
+                  explainedVariation(segment(image, GWATERSHED, 20), image));
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, larger_ruler_is_more_compact)
+{
+    RNG& rng = theRNG();
+    const float rulers[] = { 0, 2, 5, 10, 20, 40, 80 };
+    double before = 0;
+    std::vector<Mat> images;
+    for (int i = 0; i < 5; i++)
+        images.push_back(makeScene(Size(320, 240), rng));
+    for (int i = 0; i < 7; i++)
+    {
+        double mean = 0;
+        for (size_t j = 0; j < images.size(); j++)
+            mean += compactness(segmentGuided(images[j], 192, rulers[i], 1)) / double(images.size());
+        EXPECT_GE(mean, before) << "ruler " << rulers[i];
+        before = mean;
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, takes_any_ruler)
+{
+    const Mat image = makeScene(Size(90, 70), theRNG());
+    const float rulers[] = { 0, FLT_MIN, 1e10f, FLT_MAX };
+    for (int i = 0; i < 4; i++)
+        for (int num_superpixels = 1; num_superpixels <= 6300; num_superpixels *= 7)
+            expectPartition(segmentGuided(image, num_superpixels, rulers[i], 2), image.size(), num_superpixels);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, cuts_along_edges_of_colour)
+{
+    // No superpixel has pixels on both sides of an edge, wherever the edge lies in the blocks of the flood.
+    for (int line = 30; line < 46; line++)
+    {
+        Mat image(80, 96, CV_8UC3, Scalar(90, 120, 70));
+        image.colRange(line, image.cols).setTo(Scalar(120, 90, 100));
+        const Mat labels = segment(image, RGWATERSHED, 16);
+        std::set<int> left, right, both;
+        for (int y = 0; y < labels.rows; y++)
+            for (int x = 0; x < labels.cols; x++)
+                (x < line ? left : right).insert(labels.at<int>(y, x));
+        std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::inserter(both, both.end()));
+        EXPECT_TRUE(both.empty()) << "edge at " << line << ", superpixels across " << both.size();
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, takes_uniform_colours_as_they_are)
+{
+    const Mat image = makeScene(Size(120, 90), theRNG());
+    Mat lab;
+    cvtColor(image, lab, COLOR_BGR2Lab);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(lab, RGWATERSHED, 10);
+    gws->iterate();
+    const Mat as_bgr = labelsOf(gws);
+    EXPECT_FALSE(gws->getUniformColor());
+    gws->setUniformColor(true);
+    EXPECT_TRUE(gws->getUniformColor());
+    gws->iterate();
+    const Mat as_lab = labelsOf(gws);
+    EXPECT_FALSE(equalMats(as_bgr, as_lab));
+    EXPECT_GT(explainedVariation(as_lab, image), explainedVariation(as_bgr, image));
+    gws->setAlgorithm(GWATERSHED); // never converts
+    gws->iterate();
+    EXPECT_TRUE(equalMats(segment(lab, GWATERSHED, 10), labelsOf(gws)));
+}
+
+TEST(ximgproc_SuperpixelGWatershed, alpha_weighs_colour_against_depth)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(120, 90), rng), other = makeScene(image.size(), rng);
+    const Mat depth = makeDepth(image.size(), 0, rng);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 10);
+    gws->setAlpha(0); // depth alone
+    gws->iterate(image, depth);
+    const Mat of_depth = labelsOf(gws);
+    gws->iterate(other, depth);
+    EXPECT_TRUE(equalMats(of_depth, labelsOf(gws)));
+    gws->setAlpha(1); // colour alone
+    gws->iterate(image, depth);
+    EXPECT_TRUE(equalMats(segment(image, RGWATERSHED, 10), labelsOf(gws)));
+}
+
+TEST(ximgproc_SuperpixelGWatershed, has_no_lines_after_region_guided_flood)
+{
+    const Mat large = makeScene(Size(120, 90), theRNG()), small = makeScene(Size(20, 10), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(large, GWATERSHED, 10);
+    Mat lines;
+    gws->iterate();
+    gws->getWatershedLineMask(lines);
+    EXPECT_GT(countNonZero(lines), 0);
+    gws->setAlgorithm(RGWATERSHED);
+    gws->iterate(small);
+    gws->getWatershedLineMask(lines);
+    EXPECT_EQ(small.size(), lines.size());
+    EXPECT_EQ(0, countNonZero(lines));
+}
+
+}} // namespace
