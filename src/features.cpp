@@ -86,7 +86,8 @@ void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved)
                 for (int k = 0; k < 3; k++)
                     to[x].color[k] = uchar((upper[left].color[k] + upper[right].color[k] +
                                             lower[left].color[k] + lower[right].color[k] + 2) >> 2);
-                to[x].depth = meanDepth(upper[left].depth, upper[right].depth, lower[left].depth, lower[right].depth);
+                to[x].depth = meanDepth(upper[left].depth, upper[right].depth,
+                                        lower[left].depth, lower[right].depth);
             }
         }
     });
@@ -116,7 +117,10 @@ void computeGradient(const Padded<Feature>& features, const RegionDistance& dist
     {
         for (int y = range.start; y < range.end; y++)
             for (int x = 1; x < gradient.cols - 1; x++)
-                gradient.at<ushort>(y, x) = ushort(gradientAt(features.row(y) + x, features.step(), distance));
+            {
+                const int height = gradientAt(features.row(y) + x, features.step(), distance);
+                gradient.at<ushort>(y, x) = ushort(height);
+            }
     });
 }
 

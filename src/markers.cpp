@@ -7,7 +7,8 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The smallest gradient within a quarter of the cell, one pixel at least, from its centre; of equal
-//! ones the nearest to the centre, then the first in raster order. It lies in the cell, so markers never coincide.
+//! ones the nearest to the centre, then the first in raster order. It lies in the cell, so markers
+//! never coincide.
 //! @note The paper asks for local minima of the gradient and gives no rule.
 static Point findMarker(const Mat& gradient, const Rect& cell)
 {

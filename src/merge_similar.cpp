@@ -19,8 +19,10 @@ static int logarithm(int64 value)
 class SimilarMerger
 {
 public:
-    SimilarMerger(const RegionDistance& distance, int boundary_exponent, Regions& regions)
-        : distance_(distance), boundary_exponent_(boundary_exponent), regions_(regions), graph_(regions.size()), versions_(regions.size(), 0),
+    SimilarMerger(const RegionDistance& distance, int boundary_exponent, std::vector<MergePair>& pairs,
+                  Regions& regions)
+        : distance_(distance), boundary_exponent_(boundary_exponent), regions_(regions), pairs_(pairs),
+          graph_(regions.size()), versions_(regions.size(), 0),
           first_(COSTS, int(NONE)), last_(COSTS, int(NONE)), lowest_(COSTS)
     {
     }
@@ -30,14 +32,14 @@ public:
     void run(int num_regions)
     {
         int left = regions_.size();
-        pairs_.reserve(8 * left);
+        pairs_.clear();
         for (int i = 0; i < left; i++)
             for (size_t j = 0; j < graph_.boundaries(i).size(); j++)
                 if (graph_.boundaries(i)[j].neighbor > i)
                     push(i, graph_.boundaries(i)[j]);
         while (left > num_regions)
         {
-            const Pair pair = pop();
+            const MergePair pair = pop();
             if (versions_[pair.a] != pair.version_a || versions_[pair.b] != pair.version_b)
                 continue; // one of them has changed, and the pair was queued again
             unite(pair.b, pair.a);
@@ -47,11 +49,6 @@ public:
 
 private:
     enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
-    struct Pair
-    {
-        int a, b, version_a, version_b;
-        int next; // of the same cost
-    };
 
     //! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 /
     //! (length of the boundary / root of the smaller area)^exponent, as a logarithm: the exponents
@@ -63,8 +60,9 @@ private:
         const int log_a = logarithm(area_a), log_b = logarithm(area_b);
         const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
         const int length = logarithm(boundary.length) - std::min(log_a, log_b) / 2;
-        const int squared = logarithm(squaredDistance(regions_.means[i], regions_.means[boundary.neighbor]) + 4 * 256);
-        return std::min(std::max((16 * squared + 28 * areas - boundary_exponent_ * length) >> 6, 0), COSTS - 1);
+        const int64 distance = squaredDistance(regions_.means[i], regions_.means[boundary.neighbor]);
+        const int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - boundary_exponent_ * length;
+        return std::min(std::max(sum >> 6, 0), COSTS - 1);
     }
 
     //! Of the means, in 1/256 of a squared level, with the weights of the flood.
@@ -84,7 +82,7 @@ private:
     void push(int i, const RegionGraph::Boundary& boundary)
     {
         const int b = boundary.neighbor, at = cost(i, boundary), index = int(pairs_.size());
-        const Pair pair = { i, b, versions_[i], versions_[b], NONE };
+        const MergePair pair = { i, b, versions_[i], versions_[b], NONE };
         pairs_.push_back(pair);
         if (first_[at] == NONE)
             first_[at] = index;
@@ -95,11 +93,11 @@ private:
     }
 
     //! There is always a pair, because the regions of an image are connected.
-    Pair pop()
+    MergePair pop()
     {
         while (first_[lowest_] == NONE)
             lowest_++;
-        const Pair pair = pairs_[first_[lowest_]];
+        const MergePair pair = pairs_[first_[lowest_]];
         first_[lowest_] = pair.next;
         return pair;
     }
@@ -118,9 +116,9 @@ private:
     const RegionDistance distance_;
     const int boundary_exponent_;
     Regions& regions_;
+    std::vector<MergePair>& pairs_;
     RegionGraph graph_;
     std::vector<int> versions_; // how often a region has changed
-    std::vector<Pair> pairs_;
     std::vector<int> first_, last_; // pairs by cost
     int lowest_;
 };
@@ -150,12 +148,12 @@ static void addEdges(const Padded<int>& labels, RegionGraph& graph)
 }
 
 void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int boundary_exponent,
-                         Padded<int>& labels, Regions& regions)
+                         std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     if (regions.size() <= num_regions)
         return;
-    SimilarMerger merger(distance, boundary_exponent, regions);
+    SimilarMerger merger(distance, boundary_exponent, buffer, regions);
     addEdges(labels, merger.graph());
     merger.run(num_regions);
 

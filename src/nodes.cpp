@@ -26,7 +26,10 @@ void makeNodes(const Mat& color, const Mat& depth, NodeMap& nodes)
     parallel_for_(Range(0, color.rows), [&](const Range& range)
     {
         for (int y = range.start; y < range.end; y++)
-            packRow(color.ptr(y), color.channels(), depth.empty() ? 0 : depth.ptr(y), nodes.row(y), color.cols);
+        {
+            const uchar* depth_row = depth.empty() ? 0 : depth.ptr(y);
+            packRow(color.ptr(y), color.channels(), depth_row, nodes.row(y), color.cols);
+        }
     });
 }
 

@@ -55,7 +55,8 @@ void listBoundary(const Padded<int>& labels, std::vector<int>& boundary)
     {
         const int* row = labels.row(y);
         for (int x = 0; x < size.width; x++)
-            beside[x] = (row[x - 1] != row[x]) | (row[x + 1] != row[x]) | (row[x - step] != row[x]) | (row[x + step] != row[x]);
+            beside[x] = (row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
+                        (row[x - step] != row[x]) | (row[x + step] != row[x]);
         for (int x = 0, p = labels.index(Point(0, y)); x < size.width; x++, p++)
             if (beside[x])
                 boundary.push_back(p);
@@ -100,9 +101,11 @@ public:
             first_neighbor_[mask] = uchar((mask & 0x02) ? 1 : (mask & 0x08) ? 3 : (mask & 0x20) ? 5 : 7);
             for (int k = 0; k < 8; k++)
             {
-                const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1, before = (mask >> ((k + 6) & 7)) & 1;
+                const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1;
+                const bool before = (mask >> ((k + 6) & 7)) & 1;
                 agreement_[mask] += here ? 1 + (k & 1) : 0;
-                pieces += (k & 1) && here && !(corner && before); // else the one before reaches it over the corner
+                // A 4-neighbour begins a piece unless the one before it reaches it over the corner.
+                pieces += (k & 1) && here && !(corner && before);
             }
             keeps_together_[mask] = pieces == 1;
         }
@@ -223,11 +226,14 @@ static void listAround(const std::vector<int>& moved, const Padded<int>& labels,
 //! Means are those of the beginning of the sweep.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
                    VariationGuard* guard, Padded<int>& labels, Regions& regions,
-                   std::vector<uchar>& marks, std::vector<int>& boundary)
+                   SweepBuffers& buffers, std::vector<int>& boundary)
 {
     CV_TRACE_FUNCTION();
     BoundarySweep sweep(features, distance, length_price, guard, labels, regions);
-    std::vector<int> chosen(boundary.size()), moved;
+    std::vector<int>& chosen = buffers.chosen;
+    std::vector<int>& moved = buffers.moved;
+    chosen.resize(boundary.size());
+    moved.clear();
     parallel_for_(Range(0, int(boundary.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
@@ -237,7 +243,7 @@ void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distan
         if (chosen[i] != labels.data()[boundary[i]] && sweep.move(boundary[i], chosen[i]))
             moved.push_back(boundary[i]);
 
-    listAround(moved, labels, marks, boundary);
+    listAround(moved, labels, buffers.marks, boundary);
     regions.update();
     if (guard)
         guard->update();

@@ -12,14 +12,18 @@ class HeightQueue
 public:
     enum { HEIGHTS = 1024 };
 
-    HeightQueue() : free_(NONE), height_(0) { std::fill_n(first_, int(HEIGHTS), int(NONE)); }
+    explicit HeightQueue(std::vector<FloodBuffers::Entry>& entries) : entries_(entries), free_(NONE), height_(0)
+    {
+        entries_.clear();
+        std::fill_n(first_, int(HEIGHTS), int(NONE));
+    }
 
     //! The height of the last node taken out.
     int height() const { return height_; }
 
     void push(int node, int height)
     {
-        const Entry entry = { node, NONE };
+        const FloodBuffers::Entry entry = { node, NONE };
         int e = free_;
         if (e != NONE)
         {
@@ -53,12 +57,8 @@ public:
 
 private:
     enum { NONE = -1 };
-    struct Entry
-    {
-        int node, next;
-    };
 
-    std::vector<Entry> entries_;
+    std::vector<FloodBuffers::Entry>& entries_;
     int free_; // chain of entries that were taken out
     int height_;
     int first_[HEIGHTS], last_[HEIGHTS];
@@ -75,11 +75,13 @@ class RegionFlood
 {
 public:
     RegionFlood(const Padded<Feature>& features, const std::vector<Point>& markers, const RegionDistance& distance,
-                int ruler, Padded<int>& labels, Regions& regions)
+                int ruler, FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
         : features_(features), markers_(markers), distance_(distance), ruler_(ruler),
-          neighbors_(labels.neighbors()), labels_(labels), regions_(regions),
-          updates_(markers.size(), 0), heights_(features.step() * (features.size().height + 2))
+          neighbors_(labels.neighbors()), labels_(labels), regions_(regions), queue_(buffers.entries),
+          updates_(buffers.updates), heights_(buffers.heights)
     {
+        updates_.assign(markers.size(), 0);
+        heights_.resize(size_t(features.step()) * (features.size().height + 2));
     }
 
     //! Invariant: a node may wait several times, each time at a lower height and for the region
@@ -150,21 +152,22 @@ private:
     Padded<int>& labels_;
     Regions& regions_;
     HeightQueue queue_;
-    std::vector<int> updates_;     // area at which the means of a region are taken anew
-    std::vector<ushort> heights_;  // at which a node waits
+    std::vector<int>& updates_;
+    std::vector<ushort>& heights_;
 };
 
 //! @note Section III.B with a region in the place of the neighbour: the height of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
 void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
-                  const RegionDistance& distance, int ruler, Padded<int>& labels, Regions& regions)
+                  const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
+                  Regions& regions)
 {
     CV_TRACE_FUNCTION();
     labels.create(features.size(), OUTSIDE);
     for (int y = 0; y < labels.size().height; y++)
         std::fill_n(labels.row(y), labels.size().width, int(UNSEEN));
     regions.clear(int(markers.size()));
-    RegionFlood(features, markers, distance, ruler, labels, regions).run();
+    RegionFlood(features, markers, distance, ruler, buffers, labels, regions).run();
     regions.update();
 }
 

@@ -21,15 +21,35 @@ void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved);
 //! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1. (features.cpp)
 void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);
 
+//! Buffers of a flood.
+struct FloodBuffers
+{
+    struct Entry
+    {
+        int node, next;
+    };
+    std::vector<Entry> entries;  // of the queues
+    std::vector<int> updates;    // area at which the means of a region are taken anew
+    std::vector<ushort> heights; // at which a node waits
+};
+
 //! Floods from the markers; marker i grows the region i. (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
 void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
-                  const RegionDistance& distance, int ruler, Padded<int>& labels, Regions& regions);
+                  const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
+                  Regions& regions);
+
+//! Two neighbours that may be merged, as they were when the pair was queued.
+struct MergePair
+{
+    int a, b, version_a, version_b;
+    int next; // of the same cost
+};
 
 //! Merges the most similar neighbours until num_regions are left. (merge_similar.cpp)
 //! boundary_exponent, in 1/16, is how much a long common boundary counts.
 void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int boundary_exponent,
-                         Padded<int>& labels, Regions& regions);
+                         std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions);
 
 //! Labels of blocks of 2x2 pixels to the pixels. (refine.cpp)
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
@@ -61,13 +81,21 @@ private:
     std::vector<int> areas_;
 };
 
+//! Buffers of a sweep.
+struct SweepBuffers
+{
+    std::vector<uchar> marks; // by pixel; zero between sweeps
+    std::vector<int> chosen;  // region that a pixel of the boundary chose
+    std::vector<int> moved;   // pixels
+};
+
 //! One pass over the boundary: its pixels go to the neighbouring region of the lowest energy, while
 //! each region stays one piece. (refine.cpp)
 //! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
-//! guard may be 0. boundary is replaced by what the next sweep has to look at; marks are zero.
+//! guard may be 0. boundary is replaced by what the next sweep has to look at.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
                    VariationGuard* guard, Padded<int>& labels, Regions& regions,
-                   std::vector<uchar>& marks, std::vector<int>& boundary);
+                   SweepBuffers& buffers, std::vector<int>& boundary);
 
 }}} // namespace
 

@@ -11,8 +11,8 @@ namespace cv { namespace ximgproc { namespace gws {
 // Constants found on one half of the photographs of BSDS500's train split and checked on the other;
 // doc/log.md has the figures.
 
-static const int MARKERS_PER_SUPERPIXEL = 4;  // the flood makes as many regions, which are merged
-static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, or smaller blocks are flooded; at ruler 0 twice as many
+static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
+static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
 static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
 static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
@@ -25,7 +25,7 @@ static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
-// side of 17 pixels. It grows with the side, as the area that a smoother boundary shifts does.
+// side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
 static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
 
 static int boundaryPrice(double price, double side, float ruler)
@@ -71,7 +71,8 @@ void RegionWatershed::sweep(int level, int count, int length_price, const Region
                             VariationGuard* guard)
 {
     for (int i = 0; i < count; i++)
-        sweepBoundary(features_[level], distance, length_price, guard, labels_[level], regions_, marks_, boundary_);
+        sweepBoundary(features_[level], distance, length_price, guard, labels_[level], regions_,
+                      sweep_buffers_, boundary_);
 }
 
 //! More regions than asked for, merged to the number asked for: they are small where the image
@@ -87,10 +88,11 @@ void RegionWatershed::floodAndMerge(int level, int num_superpixels, double side,
     computeGradient(features_[level], distance, gradient_);
     placeMarkers(gradient_, num_markers, markers_);
     floodRegions(features_[level], markers_, distance, cvRound(std::min(ruler, double(INT_MAX))),
-                 labels_[level], regions_);
+                 flood_buffers_, labels_[level], regions_);
     listBoundary(labels_[level], boundary_);
     sweep(level, SWEEPS_BEFORE_MERGING, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), distance, 0);
-    mergeSimilarRegions(num_superpixels, distance, boundaryExponent(parameters.ruler), labels_[level], regions_);
+    mergeSimilarRegions(num_superpixels, distance, boundaryExponent(parameters.ruler), merge_buffer_,
+                        labels_[level], regions_);
 }
 
 void RegionWatershed::run(const Mat& color, const Mat& depth, const Parameters& parameters, int num_iterations,

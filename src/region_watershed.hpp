@@ -32,7 +32,9 @@ private:
     std::vector<Point> markers_;
     Regions regions_;
     std::vector<int> boundary_;
-    std::vector<uchar> marks_;
+    FloodBuffers flood_buffers_;
+    std::vector<MergePair> merge_buffer_;
+    SweepBuffers sweep_buffers_;
 };
 
 }}} // namespace

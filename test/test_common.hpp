@@ -38,6 +38,11 @@ double explainedVariation(const Mat& labels, const Mat& image);
 //! Mean over the pixels of 4 pi area / perimeter^2 of their superpixel.
 double compactness(const Mat& labels);
 
+//! From here on the sizes that are asked of operator new are looked at.
+void startRecordingNew();
+//! Returns the largest of them.
+size_t stopRecordingNew();
+
 //! Sets the number of threads for a scope.
 struct ThreadsGuard
 {

@@ -30,20 +30,14 @@ enum GWatershedType
     //! reaches it. One pass; `ruler` and `num_iterations` have no effect.
     GWATERSHED = 200,
     //! Region-guided: the height of a pixel is its distance to the mean of the region that reaches
-    //! it. Better in every measure, and faster. The default.
+    //! it. The default, and better in every measure of quality.
     RGWATERSHED = 201
 };
 
 /** @brief Superpixels by a marker-controlled watershed on a gradient map @cite Jiang2015 .
 
-The image is divided in four steps:
-1. A gradient map: the Sobel magnitude of the gray image and, for RGB-D, of the depth.
-2. Markers: one pixel for each cell of a grid, moved to the smallest gradient near the centre.
-3. A flood from the markers through 256 first-in first-out queues, one for each height.
-4. The watershed lines, where two floods meet, are given to the most similar neighbour.
-
 @code{.cpp}
-    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, 20);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 20);
     gws->iterate();
     Mat labels, contours;
     gws->getLabels(labels);             // CV_32SC1, 0 .. gws->getNumberOfSuperpixels() - 1
@@ -52,35 +46,56 @@ The image is divided in four steps:
     gws->iterate(next_image, depth);    // a frame with depth
 @endcode
 
+![Contours, mean colours, and an image with depth](pics/gwatershed_demo.jpg)
+
+**RGWATERSHED**, the default, is the method to use. It has these steps:
+1. Features: lightness and two colour differences of each pixel, and its depth; their means over
+   blocks of 2x2 or 4x4 pixels where superpixels are large enough.
+2. Markers: four for each superpixel asked for, one in each cell of a grid of blocks, away from
+   high gradients.
+3. A flood of the blocks through first-in first-out queues, one for each height. The height of a
+   block is its distance to the mean of the region that reaches it, plus its distance to the marker.
+4. The most similar neighbours are merged until as many regions are left as superpixels are asked for.
+5. The boundary is settled from blocks down to pixels: its pixels go to the neighbouring region
+   that is nearest in colour and depth and leaves the shortest boundary. Each further iteration
+   does more of that.
+
+**GWATERSHED** is Algorithm 1 of the paper, kept exactly for comparison: gradient map, one marker
+for each superpixel at a low gradient, and a flood where the height of a pixel is its distance to the
+neighbour that reaches it, equations (1) to (4). The watershed lines, where two floods meet, go
+to the most similar neighbour at the end.
+
 **Result.** Every pixel has a label, every label of [0, N) occurs, and the pixels of one label are
-one 4-connected component. The labels follow the markers in raster order of the grid. The result
-depends on the image, the depth and the parameters only: it is the same for any number of
-threads, in every run, and for a submatrix and its clone.
+one 4-connected component. Labels are in the raster order of the markers. The result depends on the
+image, the depth and the parameters only: it is the same for any number of threads, in every run,
+and for a submatrix and its clone.
 
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
-ignored), as Mat or UMat. White is 255, 65535 or 1.0. The image is brought to 8 bits, as the 256
-heights of the paper ask for; stretch an image that uses a small part of its range beforehand. No
-colour conversion is done for GWATERSHED: equation (1) is meant for RGB or BGR. At most
-2^31 - 8 pixels, the frame of one pixel around the image counted.
+ignored), as Mat or UMat. White is 255, 65535 or 1.0. The image is brought to 8 bits; stretch one
+that uses a small part of its range beforehand. Three channels are BGR, and RGWATERSHED converts
+them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
+compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
+than 2^31 - 3.
 
 **Depth.** CV_16UC1 (sensor units, usually millimetres; 0 is missing), CV_32FC1 (usually metres;
 NaN, infinity, 0 and below are missing) or CV_8UC1 (already scaled; 0 is missing), of the size of
 the image. Where depth is missing, colour alone counts. Depth that is missing or equal everywhere
-changes nothing. See setDepthRange().
+changes nothing. See setDepthRange() and setAlpha(). For depth alone set alpha to 0, or give the
+depth as a gray image.
 
 **Errors.** A wrong argument throws cv::Exception before anything is changed, and the object stays
 usable. The images given are never written to.
 
-**Threads.** The maps over all pixels run under cv::parallel_for_, the flood on the calling thread.
-Different objects can be used in different threads at the same time; one object can not, except for
-its const methods.
+**Threads.** Most loops over pixels run under cv::parallel_for_; the floods, the merging and the moves
+of boundary pixels run on the calling thread. Different objects can be used in different threads at the
+same time; one object can not, except for its const methods.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws and changes
 nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
 factory and the buffers; the parameters stay. empty() tells whether there is no segmentation.
 
-**Cost.** Time and memory are linear in the number of pixels and do not depend on the number of
-superpixels. Buffers are allocated once per image size.
+**Cost.** Time and memory are linear in the number of pixels; the merging adds a little for each
+superpixel. Buffers are allocated once per image size.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -97,7 +112,12 @@ public:
     The image is the copy made by the factory; iterate() of another image does not replace it.
     Each call starts anew with the current parameters.
 
-    @param num_iterations 1 or more. GWATERSHED is one pass: more than 1 changes nothing.
+    @param num_iterations 1 or more. For RGWATERSHED, each iteration after the first moves boundary
+    pixels where that explains the colours of the image better, so explained variation never falls;
+    its work is proportional to the boundary that still moves. GWATERSHED is one pass: more than 1
+    changes nothing.
+
+    ![After 1, 2, 4 and 8 iterations](pics/gwatershed_iterations.jpg)
 
     Throws cv::Exception if the factory was given a size instead of an image.
     */
@@ -186,16 +206,23 @@ public:
     CV_WRAP virtual int getNumSuperpixels() const = 0;
 
     /** @brief Sets the compactness.
-    @param ruler 0 or more, finite. Default 10. GWATERSHED has no such term: it stores the value
-    and does not use it. */
+    @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone,
+    with frayed boundaries; small values give high boundary recall, larger ones more compact
+    superpixels, in proportion up to about 50. It does not depend on the bit depth of the image
+    or on the size of superpixels. GWATERSHED has no such term: it stores the value and does not use it.
+
+    ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler) = 0;
     //! @see setRuler
     CV_WRAP virtual float getRuler() const = 0;
 
     /** @brief Sets the weight of colour against depth, equation (3) of the paper.
     @param alpha In [0, 1]: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D, in steps of 1/256. 1 is
-    colour alone, 0 is depth alone where there is depth. Default 0.5, as in the paper. Without
-    depth it has no effect. */
+    colour alone, 0 is depth alone where there is depth. Default 0.5, as in the paper; less where
+    colour misleads. Without depth it has no effect. RGWATERSHED divides the distance by the larger of
+    the two weights, so that pixels with and without depth compare.
+
+    ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha) = 0;
     //! @see setAlpha
     CV_WRAP virtual float getAlpha() const = 0;
@@ -223,6 +250,8 @@ public:
     CV_WRAP virtual float getFarDepth() const = 0;
 
     /** @brief Sets the gradient from which a pixel is a border at the start (line 6 of Algorithm 1).
+
+    For GWATERSHED; RGWATERSHED does not use it.
     @param border_threshold A pixel whose gradient is equal or larger takes no part in the flood
     and joins a neighbour after it. The gradient is the magnitude of the 3x3 Sobel derivatives of
     8-bit values, 0..1443, as for the thresholds of cv::Canny with L2gradient; for RGB-D it is

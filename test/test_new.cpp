@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+// Every new of this program and of the module goes through here, so that a test can see its size.
+
+static std::atomic<bool> recording(false);
+static std::atomic<size_t> largest(0);
+
+void* operator new(size_t size)
+{
+    if (recording && size > largest)
+        largest = size;
+    if (void* memory = std::malloc(size ? size : 1))
+        return memory;
+    throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+
+namespace opencv_test
+{
+
+void startRecordingNew()
+{
+    largest = 0;
+    recording = true;
+}
+
+size_t stopRecordingNew()
+{
+    recording = false;
+    return largest;
+}
+
+} // namespace
