@@ -48,7 +48,7 @@ struct Steps
     Pictures pictures;
     Mat gray, gradient, labels;
     std::vector<Point> markers;
-    std::vector<int> lines;
+    gws::LineBuffers lines;
     gws::NodeMap nodes;
 };
 

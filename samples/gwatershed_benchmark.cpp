@@ -30,7 +30,7 @@ static const char* const KEYS =
     "{d depth      |     | folder of depth maps <id>_depth.png (0: missing); the methods that take depth run with and without }"
     "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
     "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
-    "{m methods    |     | part of the names of the methods to run, separated by commas; empty: all }"
+    "{m methods    |     | names of the methods to run, or their beginnings, separated by commas; empty: all }"
     "{l limit      | 0   | number of images; 0: all }"
     "{t threads    | 1   | number of threads }"
     "{o output     | benchmark.csv | file to write }";
@@ -173,8 +173,8 @@ static std::vector<Method> allMethods()
 {
     std::vector<Method> methods;
     methods.push_back(gwatershed("RGWATERSHED", RGWATERSHED, 10, 1));
-    methods.push_back(gwatershed("RGWATERSHED, 4 iterations", RGWATERSHED, 10, 4));
-    methods.push_back(gwatershed("RGWATERSHED, ruler 1, 8 iterations", RGWATERSHED, 1, 8));
+    methods.push_back(gwatershed("RGWATERSHED 4 iterations", RGWATERSHED, 10, 4));
+    methods.push_back(gwatershed("RGWATERSHED ruler 1 8 iterations", RGWATERSHED, 1, 8));
     methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
@@ -200,18 +200,21 @@ static std::vector<String> split(const String& list)
 static bool isWanted(const String& name, const std::vector<String>& wanted)
 {
     for (size_t i = 0; i < wanted.size(); i++)
-        if (name.find(wanted[i]) != String::npos)
+        if (name.compare(0, wanted[i].size(), wanted[i]) == 0)
             return true;
     return wanted.empty();
 }
 
-static void addTruth(const String& file, std::vector<Mat>& truths)
+static void addTruth(const String& file, Example& example)
 {
     Mat truth = imread(file, IMREAD_UNCHANGED);
-    if (truth.empty())
+    if (truth.size() != example.image.size() || truth.channels() != 1)
+    {
+        std::cerr << "Left out: " << file << " is no label map of the size of its image" << std::endl;
         return;
+    }
     truth.convertTo(truth, CV_32S);
-    truths.push_back(truth);
+    example.truths.push_back(truth);
 }
 
 static Example readExample(const String& file, const String& truth_dir, const String& depth_dir)
@@ -228,9 +231,9 @@ static Example readExample(const String& file, const String& truth_dir, const St
 
     const String truth = truth_dir + "/" + example.id;
     if (utils::fs::exists(truth + "_labels.png"))
-        addTruth(truth + "_labels.png", example.truths);
+        addTruth(truth + "_labels.png", example);
     for (int i = 0; utils::fs::exists(truth + format("-%d.png", i)); i++)
-        addTruth(truth + format("-%d.png", i), example.truths);
+        addTruth(truth + format("-%d.png", i), example);
     return example;
 }
 
@@ -249,7 +252,9 @@ static std::vector<Example> readExamples(const String& image_dir, const String& 
     for (size_t i = 0; i < files.size() && (limit == 0 || examples.size() < limit); i++)
     {
         const Example example = readExample(files[i], truth_dir, depth_dir);
-        if (!example.image.empty() && !example.truths.empty())
+        if (!depth_dir.empty() && example.depth.empty())
+            std::cerr << "Left out: " << files[i] << " has no depth" << std::endl;
+        else if (!example.image.empty() && !example.truths.empty())
             examples.push_back(example);
     }
     return examples;

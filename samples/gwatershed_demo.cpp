@@ -183,7 +183,7 @@ int main(int argc, char** argv)
     {
         if (!output.empty())
         {
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, region_size, ruler);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size, ruler);
             gws->setAlpha(alpha);
             if (num_superpixels > 0)
                 gws->setNumSuperpixels(num_superpixels);

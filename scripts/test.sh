@@ -165,9 +165,25 @@ run_samples() {
         "${python_demo[@]}" "$data/home.jpg" -o "$results/home" -k 300
     run_sample "gwatershed_demo.py, RGB-D" "$results/aloe_py" \
         "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
+    # Labels of the demo serve as a ground truth.
+    mkdir -p "$results/truth"
+    cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
+    check "gwatershed_benchmark" benchmark_finds_itself "$data/fruits.jpg"
+    check "gwatershed_plot.py" sh -c '/usr/bin/python3 "$1" "$2.csv" -o "$2.png" | grep -q RGWATERSHED && [ -s "$2.png" ]' \
+        sh "$root/samples/gwatershed_plot.py" "$results/benchmark"
 }
 
-need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g-dev python3-dev python3-numpy
+# The superpixels of the demo, measured against themselves, have no error.
+benchmark_finds_itself() { # IMAGE
+    mkdir -p "$results/images"
+    cp "$1" "$results/images"
+    "$build/bin/example_gwatershed_gwatershed_benchmark" -i="$results/images" -g="$results/truth" \
+        -k=300,614 -m=RGWATERSHED,grid -o="$results/benchmark.csv"
+    grep -q '^RGWATERSHED,614,mean,1,0,1,' "$results/benchmark.csv"
+}
+
+need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g-dev python3-dev python3-numpy \
+    python3-matplotlib
 [ -d "$source_dir" ] || fetch_source
 results=$place/results
 rm -rf "$results"

@@ -49,10 +49,10 @@ template <typename T> static DepthRange findRange(const Mat& depth)
     const double MAX_SAMPLES = 65536;
     const int step = cvCeil(std::sqrt(double(depth.rows) * depth.cols / MAX_SAMPLES));
     std::vector<float> sample;
-    for (int y = step / 2; y < depth.rows; y += step)
+    for (int y = std::min(step, depth.rows) / 2; y < depth.rows; y += step)
     {
         const T* row = depth.ptr<T>(y);
-        for (int x = step / 2; x < depth.cols; x += step)
+        for (int x = std::min(step, depth.cols) / 2; x < depth.cols; x += step)
             if (isValid(row[x]))
                 sample.push_back(float(row[x]));
     }
@@ -71,7 +71,7 @@ template <typename T> static DepthRange findRange(const Mat& depth)
 
 template <typename T> static void scaleRows(const Mat& depth, DepthRange range, Mat& scaled)
 {
-    const float factor = 254.f / (range.last - range.first);
+    const double factor = 254. / (double(range.last) - range.first);
     parallel_for_(Range(0, depth.rows), [&](const Range& rows)
     {
         for (int y = rows.start; y < rows.end; y++)
@@ -81,7 +81,7 @@ template <typename T> static void scaleRows(const Mat& depth, DepthRange range, 
             for (int x = 0; x < depth.cols; x++)
             {
                 const float value = std::min(std::max(float(from[x]), range.first), range.last);
-                to[x] = isValid(from[x]) ? uchar(1.5f + factor * (value - range.first)) : uchar(0);
+                to[x] = isValid(from[x]) ? uchar(1.5 + factor * (value - range.first)) : uchar(0);
             }
         }
     });

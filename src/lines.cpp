@@ -43,14 +43,18 @@ static void collectLines(NodeMap& map, std::vector<int>& lines)
 //! @note The paper ends with the lines. Here each round gives a label to all nodes that have a
 //! labelled neighbour when it begins; wide lines, and what they enclose, take several rounds. The
 //! nodes of a round need not be sorted, because none of them sees what the others get.
-void absorbLines(int alpha, NodeMap& map, std::vector<int>& lines)
+void absorbLines(int alpha, NodeMap& map, LineBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     Node* nodes = map.data();
     const Vec4i neighbors = map.neighbors();
+    std::vector<int>& lines = buffers.lines;
+    std::vector<int>& round = buffers.round;
+    std::vector<int>& chosen = buffers.chosen;
+    std::vector<int>& later = buffers.later;
     collectLines(map, lines);
 
-    std::vector<int> round, chosen, later;
+    round.clear();
     for (size_t i = 0; i < lines.size(); i++)
         if (nearestLabel(nodes + lines[i], neighbors, alpha) != UNLABELLED)
             round.push_back(lines[i]);

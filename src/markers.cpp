@@ -18,7 +18,8 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
     const Rect window(Point(center2.x / 2 - rx, center2.y / 2 - ry),
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
     Point best;
-    int smallest = INT_MAX, nearest = INT_MAX;
+    int smallest = INT_MAX;
+    int64 nearest = 0;
     for (int y = window.y; y < window.br().y; y++)
     {
         const ushort* row = gradient.ptr<ushort>(y);
@@ -26,7 +27,7 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
         {
             if (row[x] > smallest)
                 continue;
-            const int dx = 2 * x - center2.x, dy = 2 * y - center2.y, away = dx * dx + dy * dy;
+            const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y, away = dx * dx + dy * dy;
             if (row[x] < smallest || away < nearest)
             {
                 best = Point(x, y);

@@ -21,14 +21,14 @@ void PlainWatershed::run(const Mat& color, const Mat& depth, const Parameters& p
     placeMarkers(gradient_, parameters.countSuperpixels(color.size()), markers_);
     makeNodes(color, depth, nodes_);
     floodFromMarkers(markers_, gradient_, parameters.border_threshold, alpha, nodes_);
-    absorbLines(alpha, nodes_, lines_);
+    absorbLines(alpha, nodes_, line_buffers_);
     extractLabels(nodes_, labels);
 }
 
 void PlainWatershed::drawLines(Mat& mask) const
 {
-    for (size_t i = 0; i < lines_.size(); i++)
-        mask.at<uchar>(nodes_.point(lines_[i])) = 255;
+    for (size_t i = 0; i < line_buffers_.lines.size(); i++)
+        mask.at<uchar>(nodes_.point(line_buffers_.lines[i])) = 255;
 }
 
 }}} // namespace

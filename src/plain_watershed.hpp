@@ -28,7 +28,7 @@ private:
     Mat gray_, gradient_;
     std::vector<Point> markers_;
     NodeMap nodes_;
-    std::vector<int> lines_; // nodes that the flood left without a label
+    LineBuffers line_buffers_;
 };
 
 }}} // namespace

@@ -127,7 +127,11 @@ private:
     uchar agreement_[256], first_neighbor_[256];
 };
 
-static const MaskTable mask_table;
+static const MaskTable& maskTable()
+{
+    static const MaskTable table;
+    return table;
+}
 
 //! One sweep in two steps: every pixel of the boundary chooses a region by the labels as they are
 //! at the beginning, all at once; then those that chose another one move in turn, as far as it
@@ -137,8 +141,8 @@ class BoundarySweep
 public:
     BoundarySweep(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
                   VariationGuard* guard, Padded<int>& labels, Regions& regions)
-        : features_(features), distance_(distance), length_price_(length_price), guard_(guard), labels_(labels),
-          regions_(regions)
+        : table_(maskTable()), features_(features), distance_(distance), length_price_(length_price), guard_(guard),
+          labels_(labels), regions_(regions)
     {
     }
 
@@ -147,15 +151,15 @@ public:
     {
         const Window window(labels_, p);
         const int from = labels_.data()[p], mask = window.mask(from);
-        if (!mask_table.keepsTogether(mask))
+        if (!table_.keepsTogether(mask))
             return from;
         int best = from, lowest = energy(p, from, mask);
-        if (lowest <= -length_price_ * (MaskTable::ALL_AGREE - mask_table.agreement(mask)))
+        if (lowest <= -length_price_ * (MaskTable::ALL_AGREE - table_.agreement(mask)))
             return from; // even if all others had one label, and the mean of it were the colour
         int others = ~mask & MaskTable::FOUR_NEIGHBORS; // 4-neighbours with labels not looked at yet
         while (others)
         {
-            const int region = window.labels[mask_table.firstNeighbor(others)], mask_region = window.mask(region);
+            const int region = window.labels[table_.firstNeighbor(others)], mask_region = window.mask(region);
             others &= ~mask_region;
             if (region == OUTSIDE)
                 continue;
@@ -174,7 +178,7 @@ public:
     {
         const Window window(labels_, p);
         const int from = labels_.data()[p], mask_from = window.mask(from), mask_to = window.mask(to);
-        if (regions_.sums[from].area == 1 || !mask_table.keepsTogether(mask_from) ||
+        if (regions_.sums[from].area == 1 || !table_.keepsTogether(mask_from) ||
             !(mask_to & MaskTable::FOUR_NEIGHBORS) || energy(p, to, mask_to) >= energy(p, from, mask_from))
             return false;
         if (guard_ && !guard_->permits(labels_.point(p), from, to))
@@ -192,9 +196,10 @@ private:
     int energy(int p, int region, int mask) const
     {
         const int d = distance_(features_.data()[p], regions_.means[region]);
-        return ((d * d) >> 8) - length_price_ * mask_table.agreement(mask);
+        return ((d * d) >> 8) - length_price_ * table_.agreement(mask);
     }
 
+    const MaskTable& table_;
     const Padded<Feature>& features_;
     const RegionDistance distance_;
     const int length_price_;

@@ -29,8 +29,16 @@ CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<P
 CV_EXPORTS void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,
                                  float border_threshold, int alpha, NodeMap& nodes);
 
-//! Gives every node without a label to a neighbour; lines returns their indices. (lines.cpp)
-CV_EXPORTS void absorbLines(int alpha, NodeMap& nodes, std::vector<int>& lines);
+//! Indices of nodes.
+struct LineBuffers
+{
+    std::vector<int> lines; //!< all that the flood left without a label
+    std::vector<int> round, later; // that are given one now, and next
+    std::vector<int> chosen; // labels of a round
+};
+
+//! Gives every node without a label to a neighbour. (lines.cpp)
+CV_EXPORTS void absorbLines(int alpha, NodeMap& nodes, LineBuffers& buffers);
 
 //! CV_32SC1 labels 0..N-1 of nodes that all have a label. (labels.cpp)
 CV_EXPORTS void extractLabels(NodeMap& nodes, Mat& labels);

@@ -127,7 +127,10 @@ public:
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
         const double mean_area = double(labels_.rows) * labels_.cols / num_labels_;
-        num_labels_ = gws::mergeSmallRegions(num_labels_, cvCeil(mean_area * min_element_size / 100), labels_);
+        guardMemory([&]()
+        {
+            num_labels_ = gws::mergeSmallRegions(num_labels_, cvCeil(mean_area * min_element_size / 100), labels_);
+        });
     }
 
     void setAlgorithm(int algorithm) CV_OVERRIDE { parameters_.setAlgorithm(algorithm); }
@@ -165,11 +168,27 @@ private:
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
-    //! If memory runs out, there is no segmentation, and the next call starts anew.
+    //! Turns the exception of the standard library for a lack of memory into that of OpenCV.
+    template <typename Work> static void guardMemory(Work work)
+    {
+        try
+        {
+            work();
+        }
+        catch (const std::bad_alloc&)
+        {
+            CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
+        }
+    }
+
+    //! If something fails on the way, there is no segmentation, and the next call starts anew.
     void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
         num_labels_ = 0;
-        try
+        if (!complete_)
+            region_guided_ = gws::RegionWatershed();
+        complete_ = false;
+        guardMemory([&]()
         {
             const Mat color = gws::convertImage(image, converted_);
             const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
@@ -178,11 +197,8 @@ private:
                 plain_.run(color, scaled, parameters_, labels_);
             else
                 region_guided_.run(color, scaled, parameters_, num_iterations, labels_);
-        }
-        catch (const std::bad_alloc&)
-        {
-            CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
-        }
+        });
+        complete_ = true;
         num_labels_ = parameters_.countSuperpixels(image.size());
     }
 
@@ -196,6 +212,7 @@ private:
     // The algorithms, and buffers that stay from one image to the next.
     gws::PlainWatershed plain_;
     gws::RegionWatershed region_guided_;
+    bool complete_ = true; // the last run was not broken off by an exception
     Mat converted_, scaled_;
 };
 

@@ -230,6 +230,23 @@ TEST_P(ximgproc_GWatershed_input, cuts_equal_depth_along_an_edge_of_colour)
     }
 }
 
+TEST_P(ximgproc_GWatershed_input, finds_the_range_of_depth_in_long_strips)
+{
+    const Mat image(1, 70000, CV_8UC1, Scalar(90));
+    Mat depth(image.size(), CV_32FC1, Scalar(1.5));
+    depth.colRange(33333, depth.cols).setTo(Scalar(1.6));
+    depth.at<float>(0, 100) = 1e6f;
+    EXPECT_EQ(0, labelsAcross(segment(image, depth, GetParam(), 100).colRange(1000, 70000), 32333));
+}
+
+TEST_P(ximgproc_GWatershed_input, takes_the_smallest_differences_of_depth)
+{
+    Mat depth(8, 8, CV_32FC1, Scalar(1e-38));
+    depth.at<float>(3, 3) = 2e-38f;
+    const Mat image(8, 8, CV_8UC1, Scalar(90));
+    expectPartition(segment(image, depth, GetParam(), 4), image.size(), 4);
+}
+
 TEST_P(ximgproc_GWatershed_input, is_not_ruined_by_outliers_of_depth)
 {
     Mat image(60, 96, CV_8UC3, Scalar(90, 120, 70)), depth(image.size(), CV_16UC1, Scalar(1500));

@@ -58,8 +58,8 @@ TEST_P(ximgproc_GWatershed_partition, takes_any_small_size_with_any_region_size)
 TEST_P(ximgproc_GWatershed_partition, takes_long_strips_in_under_a_second)
 {
     RNG& rng = theRNG();
-    const Size sizes[] = { Size(70000, 1), Size(1, 70000), Size(70000, 2), Size(3, 40000) };
-    for (size_t i = 0; i < 4; i++)
+    const Size sizes[] = { Size(70000, 1), Size(1, 70000), Size(70000, 2), Size(3, 40000), Size(300000, 1) };
+    for (size_t i = 0; i < 5; i++)
         for (int region_size = 1; region_size <= 70000; region_size = region_size * 7 + 1)
         {
             const Mat image = makeImage(NOISE, sizes[i], 3, rng);

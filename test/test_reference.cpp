@@ -215,7 +215,7 @@ Mat scaleDepthPlainly(const Mat& depth, float near_depth, float far_depth)
             const float d = depth.at<ushort>(y, x);
             const float clamped = std::min(std::max(d, near_depth), far_depth);
             scaled.at<uchar>(y, x) = d == 0 ? uchar(0)
-                                            : uchar(1.5f + 254.f / (far_depth - near_depth) * (clamped - near_depth));
+                                            : uchar(1.5 + 254. / (far_depth - near_depth) * (clamped - near_depth));
         }
     return scaled;
 }

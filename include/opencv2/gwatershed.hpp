@@ -66,12 +66,13 @@ neighbour that reaches it, equations (1) to (4). The watershed lines, where two 
 to the most similar neighbour at the end.
 
 **Result.** Every pixel has a label, every label of [0, N) occurs, and the pixels of one label are
-one 4-connected component. Labels are in the raster order of the markers. The result depends on the
+one 4-connected component. Labels are in the order of the
+cells of the grid of markers. The result depends on the
 image, the depth and the parameters only: it is the same for any number of threads, in every run,
 and for a submatrix and its clone.
 
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
-ignored), as Mat or UMat. White is 255, 65535 or 1.0. The image is brought to 8 bits; stretch one
+ignored), as Mat or UMat. White is 255, 65535 or 1.0; NaN and infinity count as black. The image is brought to 8 bits; stretch one
 that uses a small part of its range beforehand. Three channels are BGR, and RGWATERSHED converts
 them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
 compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
@@ -94,8 +95,9 @@ same time; one object can not, except for its const methods.
 nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
 factory and the buffers; the parameters stay. empty() tells whether there is no segmentation.
 
-**Cost.** Time and memory are linear in the number of pixels; the merging adds a little for each
-superpixel. Buffers are allocated once per image size.
+**Cost.** Time and memory are linear in the number of pixels; merging adds a few microseconds for each
+superpixel, most of the time where superpixels are smaller than about 10x10 pixels. Buffers of the
+size of the image stay from one image to the next; merging allocates for each superpixel.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
