@@ -54,22 +54,18 @@ void absorbLines(int alpha, NodeMap& map, LineBuffers& buffers)
     std::vector<int>& later = buffers.later;
     collectLines(map, lines);
 
-    round.clear();
-    for (size_t i = 0; i < lines.size(); i++)
-        if (nearestLabel(nodes + lines[i], neighbors, alpha) != UNLABELLED)
-            round.push_back(lines[i]);
-
-    for (; !round.empty(); round.swap(later))
+    for (round = lines; !round.empty(); round.swap(later))
     {
         chosen.resize(round.size());
         for (size_t i = 0; i < round.size(); i++)
             chosen[i] = nearestLabel(nodes + round[i], neighbors, alpha);
         for (size_t i = 0; i < round.size(); i++)
-            nodes[round[i]].state = chosen[i];
+            if (chosen[i] != UNLABELLED)
+                nodes[round[i]].state = chosen[i];
 
         later.clear();
         for (size_t i = 0; i < round.size(); i++)
-            for (int k = 0; k < 4; k++)
+            for (int k = 0; k < 4 && chosen[i] != UNLABELLED; k++)
             {
                 const int a = round[i] + neighbors[k];
                 if (nodes[a].state == LINE || nodes[a].state == UNLABELLED)
