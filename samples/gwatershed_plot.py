@@ -44,7 +44,7 @@ def draw(methods, title, output):
     axes[0].legend(fontsize=7)
     figure.suptitle(title, fontsize=9)
     figure.tight_layout()
-    figure.savefig(output, dpi=80)
+    figure.savefig(output, dpi=80, metadata={"Software": None})
 
 
 def print_times(methods):
