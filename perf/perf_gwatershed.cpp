@@ -40,8 +40,12 @@ struct Steps
 
     void gradientStep() { gws::computeGradient(pictures.image(), Mat(), COLOR_ALONE, gray, gradient); }
     void markersStep() { gws::placeMarkers(gradient, perfNumSuperpixels(gradient.size()), markers); }
-    void nodesStep() { gws::makeNodes(pictures.image(), Mat(), nodes); }
-    void floodStep() { gws::floodFromMarkers(markers, gradient, 0, COLOR_ALONE, nodes); }
+    void nodesStep()
+    {
+        gws::makeNodes(pictures.image(), Mat(), nodes);
+        gws::labelMarkers(markers, nodes);
+    }
+    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, nodes); }
     void linesStep() { gws::absorbLines(COLOR_ALONE, nodes, lines); }
     void labelsStep() { gws::extractLabels(nodes, labels); }
 

@@ -73,7 +73,7 @@ static void fillQueues(NodeMap& map, const Mat& gradient, float border_threshold
         {
             if (nodes[p].state != UNLABELLED)
                 continue;
-            if (border_threshold > 0 && gradient_row[x] >= border_threshold)
+            if (border_threshold > 0 && gradient_row[x] >= border_threshold && gradient_row[x] != UNKNOWN_GRADIENT)
             {
                 nodes[p].state = LINE;
                 continue;
@@ -123,13 +123,9 @@ static void flood(Node* nodes, const Vec4i& neighbors, int alpha, BucketQueue& q
     }
 }
 
-void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,
-                      float border_threshold, int alpha, NodeMap& nodes)
+void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes)
 {
     CV_TRACE_FUNCTION();
-    for (size_t i = 0; i < markers.size(); i++)
-        nodes.data()[nodes.index(markers[i])].state = int(i) + 1;
-
     BucketQueue queue(nodes.data());
     fillQueues(nodes, gradient, border_threshold, alpha, queue);
     flood(nodes.data(), nodes.neighbors(), alpha, queue);

@@ -13,6 +13,8 @@ VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int 
         for (int x = 0; x < color.cols; x++)
         {
             const int label = labels.row(y)[x];
+            if (label == OUTSIDE)
+                continue;
             sums_[label] += colorAt(Point(x, y));
             areas_[label]++;
         }

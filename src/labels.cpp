@@ -17,17 +17,18 @@ void extractLabels(NodeMap& nodes, Mat& labels)
             const Node* from = nodes.row(y);
             int* to = labels.ptr<int>(y);
             for (int x = 0; x < labels.cols; x++)
-                to[x] = from[x].state - 1;
+                to[x] = std::max(from[x].state, 0) - 1;
         }
     });
 }
 
-//! Marks the elements of a that differ from those of b, and those of b if both is set.
+//! Marks the elements of a that differ from those of b, and those of b if both is set. The outside of
+//! a mask is like the outside of the image: there is no contour between it and a superpixel.
 static void markDifferences(const int* a, const int* b, int n, uchar* mask_a, uchar* mask_b, bool both)
 {
     for (int i = 0; i < n; i++)
     {
-        const uchar contour = a[i] != b[i] ? 255 : 0;
+        const uchar contour = a[i] != b[i] && (a[i] | b[i]) >= 0 ? 255 : 0;
         mask_a[i] |= contour;
         if (both)
             mask_b[i] |= contour;

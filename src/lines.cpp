@@ -35,7 +35,7 @@ static void collectLines(NodeMap& map, std::vector<int>& lines)
     {
         const Node* row = map.row(y);
         for (int x = 0; x < size.width; x++)
-            if (row[x].state <= 0)
+            if (row[x].state <= 0 && row[x].state != FRAME)
                 lines.push_back(map.index(Point(x, y)));
     }
 }

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "nodes.hpp"
+#include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -31,6 +31,28 @@ void makeNodes(const Mat& color, const Mat& depth, NodeMap& nodes)
             packRow(color.ptr(y), color.channels(), depth_row, nodes.row(y), color.cols);
         }
     });
+}
+
+void closeOutside(const Mat& mask, NodeMap& nodes)
+{
+    for (int y = 0; y < mask.rows; y++)
+        for (int x = 0; x < mask.cols; x++)
+            if (!mask.at<uchar>(y, x))
+                nodes.row(y)[x].state = FRAME;
+}
+
+void labelMarkers(const std::vector<Point>& markers, NodeMap& nodes)
+{
+    for (size_t i = 0; i < markers.size(); i++)
+        nodes.row(markers[i].y)[markers[i].x].state = int(i) + 1;
+}
+
+void labelMarkers(const Mat& markers, NodeMap& nodes)
+{
+    for (int y = 0; y < markers.rows; y++)
+        for (int x = 0; x < markers.cols; x++)
+            if (markers.at<int>(y, x) >= 0)
+                nodes.row(y)[x].state = markers.at<int>(y, x) + 1;
 }
 
 }}} // namespace

@@ -46,6 +46,9 @@ typedef Padded<Node> NodeMap;
 //! All nodes UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
 CV_EXPORTS void makeNodes(const Mat& color, const Mat& depth, NodeMap& nodes);
 
+//! Makes the nodes outside of a mask part of the frame.
+void closeOutside(const Mat& mask, NodeMap& nodes);
+
 }}} // namespace
 
 #endif

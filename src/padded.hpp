@@ -33,6 +33,9 @@ public:
     T* row(int y) { return buffer_.ptr<T>(y + 1) + 1; }
     const T* row(int y) const { return buffer_.ptr<T>(y + 1) + 1; }
 
+    //! The image without its frame, as a Mat of the type of its elements.
+    Mat view(int type) { return Mat(size(), type, row(0), buffer_.step); }
+
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }
     //! Offsets of the neighbours: left, top, right, bottom.

@@ -92,9 +92,8 @@ Parameters Parameters::read(const FileNode& fn)
     return parameters;
 }
 
-int Parameters::countSuperpixels(Size size) const
+int Parameters::countSuperpixels(double pixels) const
 {
-    const double pixels = double(size.width) * size.height;
     const double wanted = num_superpixels ? num_superpixels
                                           : pixels / (double(region_size) * region_size);
     return cvRound(std::min(std::max(wanted, 1.), pixels));

@@ -34,8 +34,8 @@ struct Parameters
     //! Throws if a value is missing or wrong.
     static Parameters read(const FileNode& fn);
 
-    //! Number of superpixels for an image of a size, at most one for each pixel.
-    int countSuperpixels(Size size) const;
+    //! Number of superpixels for a number of pixels, at most one for each.
+    int countSuperpixels(double pixels) const;
     //! alpha in 1/256.
     int alphaWeight() const { return cvRound(alpha * 256); }
 };

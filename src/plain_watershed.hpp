@@ -5,7 +5,9 @@
 #ifndef OPENCV_GWATERSHED_PLAIN_WATERSHED_HPP
 #define OPENCV_GWATERSHED_PLAIN_WATERSHED_HPP
 
+#include "frame.hpp"
 #include "parameters.hpp"
+#include "region.hpp"
 #include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -18,11 +20,14 @@ public:
     //! Makes room for images of a size.
     void reserve(Size size);
 
-    //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty; labels become CV_32SC1.
-    void run(const Mat& color, const Mat& depth, const Parameters& parameters, Mat& labels);
+    //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
+    int run(const Frame& frame, const Parameters& parameters, Mat& labels);
 
     //! Sets the watershed lines of the last run in a mask of its size.
     void drawLines(Mat& mask) const;
+
+    //! Features of the pixels of the last run.
+    void makeFeatures(bool uniform_color, Padded<Feature>& features) const;
 
 private:
     Mat gray_, gradient_;

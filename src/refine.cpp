@@ -6,63 +6,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
-{
-    CV_TRACE_FUNCTION();
-    doubled.create(size, OUTSIDE);
-    parallel_for_(Range(0, size.height), [&](const Range& range)
-    {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const int* from = labels.row(y / 2);
-            int* to = doubled.row(y);
-            for (int x = 0; x < size.width; x++)
-                to[x] = from[x / 2];
-        }
-    });
-}
-
-void measureRegions(const Padded<Feature>& features, const Padded<int>& labels, Regions& regions)
-{
-    CV_TRACE_FUNCTION();
-    regions.clear(regions.size());
-    const Size size = labels.size();
-    for (int y = 0; y < size.height; y++)
-    {
-        const int* row = labels.row(y);
-        const Feature* feature = features.row(y);
-        for (int x = 0; x < size.width;)
-        {
-            const int label = row[x];
-            RegionSum run = RegionSum();
-            for (; row[x] == label; x++) // the frame ends the last run
-                run.add(feature[x]);
-            regions.sums[label].add(run);
-        }
-    }
-    regions.update();
-}
-
-//! @note The pixels at the border of the image are listed, too: the frame has another label.
-void listBoundary(const Padded<int>& labels, std::vector<int>& boundary)
-{
-    CV_TRACE_FUNCTION();
-    const Size size = labels.size();
-    const int step = labels.step();
-    std::vector<uchar> beside(size.width);
-    boundary.clear();
-    for (int y = 0; y < size.height; y++)
-    {
-        const int* row = labels.row(y);
-        for (int x = 0; x < size.width; x++)
-            beside[x] = (row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
-                        (row[x - step] != row[x]) | (row[x + step] != row[x]);
-        for (int x = 0, p = labels.index(Point(0, y)); x < size.width; x++, p++)
-            if (beside[x])
-                boundary.push_back(p);
-    }
-}
-
 //! The 8 neighbours of a pixel, clockwise from the upper left; those with an odd number are its
 //! 4-neighbours. A mask has a bit for each.
 struct Window

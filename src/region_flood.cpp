@@ -74,13 +74,15 @@ static inline int octagonalLength(Point v)
 class RegionFlood
 {
 public:
-    RegionFlood(const Padded<Feature>& features, const std::vector<Point>& markers, const RegionDistance& distance,
+    RegionFlood(const Padded<Feature>& features, const std::vector<Point>& centers, const RegionDistance& distance,
                 int ruler, FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
-        : features_(features), markers_(markers), distance_(distance), ruler_(ruler),
+        : features_(features), centers_(centers), distance_(distance), ruler_(ruler),
           neighbors_(labels.neighbors()), labels_(labels), regions_(regions), queue_(buffers.entries),
           updates_(buffers.updates), heights_(buffers.heights)
     {
-        updates_.assign(markers.size(), 0);
+        updates_.resize(regions.size());
+        for (int i = 0; i < regions.size(); i++)
+            updates_[i] = nextUpdate(regions.sums[i].area);
         heights_.resize(size_t(features.step()) * (features.size().height + 2));
     }
 
@@ -88,12 +90,10 @@ public:
     //! that offered it; when it is first taken out, the last offer stands, and the node takes
     //! that label. No height lies below the one being flooded, and equal heights keep their order,
     //! so the result depends on the order of the markers and nothing else.
-    void run()
+    void run(const std::vector<int>& seeds)
     {
-        for (int i = 0; i < int(markers_.size()); i++)
-            settle(labels_.index(markers_[i]), i);
-        for (int i = 0; i < int(markers_.size()); i++)
-            spread(labels_.index(markers_[i]), i);
+        for (size_t i = 0; i < seeds.size(); i++)
+            spread(seeds[i], labels_.data()[seeds[i]]);
         while (const int node = queue_.pop())
         {
             const int label = labels_.data()[node];
@@ -115,12 +115,15 @@ private:
         if (sum.area < updates_[i])
             return;
         regions_.update(i);
-        updates_[i] = sum.area + sum.area / 4 + 1; // the mean of many hardly moves
+        updates_[i] = nextUpdate(sum.area);
     }
+
+    //! The mean of many hardly moves.
+    static int nextUpdate(int area) { return area + area / 4 + 1; }
 
     void spread(int node, int i)
     {
-        const Point offset = labels_.point(node) - markers_[i];
+        const Point offset = labels_.point(node) - centers_[i];
         for (int k = 0; k < 4; k++)
         {
             const int to = node + neighbors_[k], label = labels_.data()[to];
@@ -145,7 +148,7 @@ private:
     }
 
     const Padded<Feature>& features_;
-    const std::vector<Point>& markers_;
+    const std::vector<Point>& centers_;
     const RegionDistance distance_;
     const int ruler_;
     const Vec4i neighbors_;
@@ -158,17 +161,43 @@ private:
 
 //! @note Section III.B with a region in the place of the neighbour: the height of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
-void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
-                  const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
-                  Regions& regions)
+void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+                     const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
+                     Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    labels.create(features.size(), OUTSIDE);
-    for (int y = 0; y < labels.size().height; y++)
-        std::fill_n(labels.row(y), labels.size().width, int(UNSEEN));
+    std::vector<int>& seeds = buffers.seeds;
+    seeds.resize(markers.size());
     regions.clear(int(markers.size()));
-    RegionFlood(features, markers, distance, ruler, buffers, labels, regions).run();
+    for (int i = 0; i < regions.size(); i++)
+    {
+        seeds[i] = labels.index(markers[i]);
+        labels.data()[seeds[i]] = i;
+        regions.sums[i].add(features.data()[seeds[i]]);
+        regions.update(i);
+    }
+    RegionFlood(features, markers, distance, ruler, buffers, labels, regions).run(seeds);
     regions.update();
+}
+
+void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
+                      Padded<int>& labels, Regions& regions)
+{
+    CV_TRACE_FUNCTION();
+    const Size size = labels.size();
+    const int step = labels.step();
+    buffers.seeds.clear();
+    for (int y = 0; y < size.height; y++)
+    {
+        const int* row = labels.row(y);
+        for (int x = 0; x < size.width; x++)
+            if (row[x] >= 0 && (row[x - 1] == UNSEEN || row[x + 1] == UNSEEN ||
+                                row[x - step] == UNSEEN || row[x + step] == UNSEEN))
+                buffers.seeds.push_back(labels.index(Point(x, y)));
+    }
+    const int NO_RULER = 0;
+    buffers.centers.assign(regions.size(), Point());
+    RegionFlood(features, buffers.centers, distance, NO_RULER, buffers, labels, regions).run(buffers.seeds);
 }
 
 }}} // namespace

@@ -18,7 +18,10 @@ RegionGraph::Boundary* RegionGraph::find(std::vector<Boundary>& boundaries, int 
 void RegionGraph::add(int region, const Boundary& boundary)
 {
     if (Boundary* known = find(boundaries_[region], boundary.neighbor))
+    {
         known->length += boundary.length;
+        known->height += boundary.height;
+    }
     else
         boundaries_[region].push_back(boundary);
 }
@@ -30,9 +33,9 @@ void RegionGraph::remove(int region, int neighbor)
     boundaries_[region].pop_back();
 }
 
-void RegionGraph::addEdges(int a, int b, int count)
+void RegionGraph::addEdges(int a, int b, int count, int64 height)
 {
-    const Boundary to_b = { b, count }, to_a = { a, count };
+    const Boundary to_b = { b, count, height }, to_a = { a, count, height };
     add(a, to_b);
     add(b, to_a);
 }
@@ -47,25 +50,26 @@ void RegionGraph::unite(int from, int to)
         if (moved[i].neighbor == to)
             continue;
         add(to, moved[i]);
-        const Boundary back = { to, moved[i].length };
+        const Boundary back = { to, moved[i].length, moved[i].height };
         add(moved[i].neighbor, back);
     }
     parents_[from] = to;
 }
 
-int RegionGraph::number(std::vector<int>& numbers) const
+int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers)
 {
-    const int n = int(parents_.size());
+    const int n = int(parents.size());
+    std::vector<int> roots(parents);
     int count = 0;
     numbers.assign(n, 0);
     for (int i = 0; i < n; i++)
-        if (parents_[i] == i)
+        if (parents[i] == i)
             numbers[i] = count++;
     for (int i = 0; i < n; i++)
     {
         int root = i;
-        while (parents_[root] != root)
-            root = parents_[root];
+        while (roots[root] != root)
+            root = roots[root] = roots[roots[root]];
         numbers[i] = numbers[root];
     }
     return count;
@@ -79,7 +83,7 @@ void renumber(const std::vector<int>& numbers, Mat& labels)
         {
             int* row = labels.ptr<int>(y);
             for (int x = 0; x < labels.cols; x++)
-                row[x] = numbers[row[x]];
+                row[x] = row[x] < 0 ? row[x] : numbers[row[x]];
         }
     });
 }

@@ -29,15 +29,22 @@ struct FloodBuffers
         int node, next;
     };
     std::vector<Entry> entries;  // of the queues
+    std::vector<int> seeds;      // nodes that the flood begins with
+    std::vector<Point> centers;  // that the ruler counts from
     std::vector<int> updates;    // area at which the means of a region are taken anew
     std::vector<ushort> heights; // at which a node waits
 };
 
-//! Floods from the markers; marker i grows the region i. (region_flood.cpp)
+//! Floods the UNSEEN pixels from the markers; marker i grows the region i. (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
-void floodRegions(const Padded<Feature>& features, const std::vector<Point>& markers,
-                  const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
-                  Regions& regions);
+void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+                     const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
+                     Regions& regions);
+
+//! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
+//! stays UNSEEN. The means become those of the flood, not of the result. (region_flood.cpp)
+void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
+                      Padded<int>& labels, Regions& regions);
 
 //! Two neighbours that may be merged, as they were when the pair was queued.
 struct MergePair
@@ -47,18 +54,34 @@ struct MergePair
 };
 
 //! Merges the most similar neighbours until num_regions are left. (merge_similar.cpp)
-//! boundary_exponent, in 1/16, is how much a long common boundary counts.
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int boundary_exponent,
+//! length_exponent, in 1/16, is how much a long common boundary counts.
+void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
                          std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions);
 
-//! Labels of blocks of 2x2 pixels to the pixels. (refine.cpp)
+//! Labels of blocks of 2x2 pixels to the pixels. (region_labels.cpp)
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
-//! Regions measured anew. (refine.cpp)
-void measureRegions(const Padded<Feature>& features, const Padded<int>& labels, Regions& regions);
+//! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty. (region_labels.cpp)
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
-//! Pixels with a 4-neighbour of another label, in raster order. (refine.cpp)
+//! The pixels inside of the mask that have no label become UNSEEN. (region_labels.cpp)
+void openUnlabelled(const Mat& mask, Padded<int>& labels);
+
+//! The UNSEEN pixels become OUTSIDE. (region_labels.cpp)
+void closeUnseen(Padded<int>& labels);
+
+//! Each connected component of UNSEEN pixels becomes a region of its own. Returns the new number of
+//! regions. (region_labels.cpp)
+int labelUnseen(int num_regions, Padded<int>& labels);
+
+//! Regions measured anew; labels below 0 do not count. (region_labels.cpp)
+void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions);
+
+//! Pixels with a 4-neighbour of another label, in raster order. (region_labels.cpp)
 void listBoundary(const Padded<int>& labels, std::vector<int>& boundary);
+
+//! Takes the pixels of markers from the list, so that a sweep does not move them. (region_labels.cpp)
+void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<int>& boundary);
 
 //! Keeps sweeps from making the superpixels worse as an approximation of the colours. (guard.cpp)
 class VariationGuard

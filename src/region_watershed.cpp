@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "region_watershed.hpp"
-#include "region_steps.hpp"
 #include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -36,24 +35,41 @@ static int boundaryPrice(double price, double side, float ruler)
 }
 
 //! Weight of long common boundaries in merging, in 1/16: long ones make compact superpixels.
-static int boundaryExponent(float ruler)
+static int lengthExponent(float ruler)
 {
     return cvRound(4 + 8 * std::min(ruler / 10, 1.f));
 }
 
-//! How often the image is halved before it is flooded: a superpixel must keep enough blocks, and
-//! more if its boundary may be irregular.
-static int chooseLevel(Size size, int num_superpixels, float ruler, int max_level)
+//! How many blocks a number of superpixels must keep, more if their boundary may be irregular.
+static double fewestBlocks(int num_superpixels, float ruler)
 {
-    const double blocks = BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
+    return num_superpixels * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
+}
+
+//! How often the image is halved before it is flooded.
+static int chooseLevel(Size size, double fewest_blocks, int max_level)
+{
     int level = 0;
     while (level < max_level)
     {
         size = Size((size.width + 1) / 2, (size.height + 1) / 2);
-        if (double(size.width) * size.height < num_superpixels * blocks)
+        if (double(size.width) * size.height < fewest_blocks)
             break;
         level++;
     }
+    return level;
+}
+
+//! The same for a mask: the blocks must hold most of it, and fall into few enough components that
+//! merging can reach the number of superpixels.
+static int chooseLevel(const MaskPyramid& masks, int num_superpixels, double fewest_blocks, int max_level)
+{
+    const double SHARE_IN_BLOCKS = 0.75;
+    int level = max_level;
+    while (level > 0 && (masks.blocks(level) < fewest_blocks ||
+                         (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
+                         masks.components(level) + masks.lost(level) > std::max(num_superpixels, masks.components(0))))
+        level--;
     return level;
 }
 
@@ -67,67 +83,120 @@ void RegionWatershed::reserve(Size size)
     }
 }
 
+RegionDistance RegionWatershed::floodDistance(float alpha)
+{
+    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha);
+}
+
 void RegionWatershed::sweep(int level, int count, int length_price, const RegionDistance& distance,
-                            VariationGuard* guard)
+                            const Frame& frame, VariationGuard* guard)
 {
     for (int i = 0; i < count; i++)
+    {
+        if (!frame.markers.empty())
+            keepMarkers(frame.markers, labels_[0], boundary_);
         sweepBoundary(features_[level], distance, length_price, guard, labels_[level], regions_,
                       sweep_buffers_, boundary_);
+    }
 }
 
 //! More regions than asked for, merged to the number asked for: they are small where the image
 //! varies and large where it does not.
-void RegionWatershed::floodAndMerge(int level, int num_superpixels, double side, const Parameters& parameters)
+void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters)
 {
-    const Size size = features_[level].size();
-    const double blocks = double(size.width) * size.height;
+    const Padded<Feature>& features = features_[level];
+    const bool masked = !frame.mask.empty();
+    const Mat mask = masked ? masks_.mask(level) : Mat();
+    const double blocks = masked ? masks_.blocks(level) : double(features.size().width) * features.size().height;
+    const int num_superpixels = frame.num_superpixels - (masked ? masks_.lost(level) : 0);
     const int num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
     const double ruler = 4096 * parameters.ruler * FLOOD_RULER / std::sqrt(blocks / num_markers);
-    const RegionDistance distance(FLOOD_LIGHTNESS, FLOOD_CHROMA, parameters.alpha);
+    const RegionDistance distance = floodDistance(parameters.alpha);
 
-    computeGradient(features_[level], distance, gradient_);
-    placeMarkers(gradient_, num_markers, markers_);
-    floodRegions(features_[level], markers_, distance, cvRound(std::min(ruler, double(INT_MAX))),
-                 flood_buffers_, labels_[level], regions_);
+    computeGradient(features, distance, gradient_);
+    if (masked)
+    {
+        forgetGradients(mask, gradient_);
+        placeMarkers(gradient_, mask, num_markers, markers_);
+    }
+    else
+        placeMarkers(gradient_, num_markers, markers_);
+    clearLabels(features.size(), mask, labels_[level]);
+    floodFromPoints(features, markers_, distance, cvRound(std::min(ruler, double(INT_MAX))), flood_buffers_,
+                    labels_[level], regions_);
     listBoundary(labels_[level], boundary_);
-    sweep(level, SWEEPS_BEFORE_MERGING, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), distance, 0);
-    mergeSimilarRegions(num_superpixels, distance, boundaryExponent(parameters.ruler), merge_buffer_,
+    sweep(level, SWEEPS_BEFORE_MERGING, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), distance,
+          frame, 0);
+    mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffer_,
                         labels_[level], regions_);
 }
 
-void RegionWatershed::run(const Mat& color, const Mat& depth, const Parameters& parameters, int num_iterations,
-                          Mat& labels)
+//! The markers of the user are regions from the start; what none of them reaches is no superpixel.
+void RegionWatershed::floodFromMarkers(const Frame& frame, const RegionDistance& distance)
+{
+    clearLabels(frame.color.size(), frame.mask, labels_[0]);
+    frame.markers.copyTo(labels_[0].view(CV_32SC1), frame.markers >= 0);
+    regions_.resize(frame.num_superpixels);
+    measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
+    floodFromRegions(features_[0], distance, flood_buffers_, labels_[0], regions_);
+    if (!frame.mask.empty())
+        closeUnseen(labels_[0]);
+}
+
+//! The labels of larger blocks, and what of the mask lies outside of these.
+void RegionWatershed::descend(const Frame& frame, int level, const RegionDistance& distance)
+{
+    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
+    if (frame.mask.empty())
+        return;
+    openUnlabelled(masks_.mask(level), labels_[level]);
+    floodFromRegions(features_[level], distance, flood_buffers_, labels_[level], regions_);
+    if (level > 0)
+        closeUnseen(labels_[level]);
+    else
+        regions_.resize(labelUnseen(regions_.size(), labels_[0]));
+}
+
+int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels)
 {
     CV_TRACE_FUNCTION();
-    const int num_superpixels = parameters.countSuperpixels(color.size());
-    const double side = std::sqrt(double(color.total()) / num_superpixels);
-    const int top = chooseLevel(color.size(), num_superpixels, parameters.ruler, MAX_LEVEL);
-
-    makeFeatures(color, depth, parameters.uniform_color, features_[0]);
-    for (int level = 1; level <= top; level++)
-        halveFeatures(features_[level - 1], features_[level]);
-    floodAndMerge(top, num_superpixels, side, parameters);
-
+    const bool masked = !frame.mask.empty();
+    const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
+    const double fewest_blocks = fewestBlocks(frame.num_superpixels, parameters.ruler);
     const RegionDistance distance(SWEEP_LIGHTNESS, SWEEP_CHROMA, parameters.alpha);
     const int price = boundaryPrice(PRICE, side, parameters.ruler);
+
+    int top = 0;
+    if (masked)
+        masks_.build(frame.mask, MAX_LEVEL);
+    if (frame.markers.empty())
+        top = masked ? chooseLevel(masks_, frame.num_superpixels, fewest_blocks, MAX_LEVEL)
+                     : chooseLevel(frame.color.size(), fewest_blocks, MAX_LEVEL);
+
+    makeFeatures(frame.color, frame.depth, parameters.uniform_color, features_[0]);
+    for (int level = 1; level <= top; level++)
+        halveFeatures(features_[level - 1], features_[level]);
+    if (frame.markers.empty())
+        floodAndMerge(frame, top, side, parameters);
+    else
+        floodFromMarkers(frame, distance);
+
     for (int level = std::max(top - 1, 0); level >= 0; level--)
     {
         if (level < top)
-            doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
-        measureRegions(features_[level], labels_[level], regions_);
+            descend(frame, level, distance);
+        measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
         listBoundary(labels_[level], boundary_);
-        sweep(level, level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS, price, distance, 0);
+        sweep(level, level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS, price, distance, frame, 0);
     }
     if (num_iterations > 1)
     {
-        VariationGuard guard(color, labels_[0], num_superpixels);
+        VariationGuard guard(frame.color, labels_[0], regions_.size());
         for (int i = 1; i < num_iterations && !boundary_.empty(); i++)
-            sweep(0, SWEEPS_PER_ITERATION, price, distance, &guard);
+            sweep(0, SWEEPS_PER_ITERATION, price, distance, frame, &guard);
     }
-
-    labels.create(color.size(), CV_32SC1);
-    for (int y = 0; y < labels.rows; y++)
-        std::copy(labels_[0].row(y), labels_[0].row(y) + labels.cols, labels.ptr<int>(y));
+    labels_[0].view(CV_32SC1).copyTo(labels);
+    return regions_.size();
 }
 
 }}} // namespace

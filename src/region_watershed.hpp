@@ -5,6 +5,8 @@
 #ifndef OPENCV_GWATERSHED_REGION_WATERSHED_HPP
 #define OPENCV_GWATERSHED_REGION_WATERSHED_HPP
 
+#include "frame.hpp"
+#include "mask.hpp"
 #include "parameters.hpp"
 #include "region_steps.hpp"
 
@@ -17,15 +19,25 @@ public:
     //! Makes room for images of a size.
     void reserve(Size size);
 
-    //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty; labels become CV_32SC1.
-    void run(const Mat& color, const Mat& depth, const Parameters& parameters, int num_iterations, Mat& labels);
+    //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
+    int run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels);
+
+    //! The distance that leads in finding regions.
+    static RegionDistance floodDistance(float alpha);
+
+    //! Features of the pixels of the last run.
+    const Padded<Feature>& features() const { return features_[0]; }
 
 private:
     enum { MAX_LEVEL = 2 }; //!< blocks of 2^level pixels are flooded
 
-    void floodAndMerge(int level, int num_superpixels, double side, const Parameters& parameters);
-    void sweep(int level, int count, int length_price, const RegionDistance& distance, VariationGuard* guard);
+    void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
+    void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
+    void descend(const Frame& frame, int level, const RegionDistance& distance);
+    void sweep(int level, int count, int length_price, const RegionDistance& distance, const Frame& frame,
+               VariationGuard* guard);
 
+    MaskPyramid masks_;
     Mat gradient_;
     Padded<Feature> features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];

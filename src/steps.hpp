@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_STEPS_HPP
 #define OPENCV_GWATERSHED_STEPS_HPP
 
+#include "mask.hpp"
 #include "nodes.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -24,10 +25,21 @@ CV_EXPORTS void computeGradient(const Mat& color, const Mat& depth, int alpha, M
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels. (markers.cpp)
 CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
-//! Algorithm 1: marker i gives the label i + 1. Leaves LINE and UNLABELLED nodes. (flood.cpp)
+//! The same inside of a mask: at least one marker in each of its connected components, and more than
+//! num_markers if there are more components. num_markers <= pixels inside. (mask_markers.cpp)
+void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, std::vector<Point>& markers);
+
+//! Numbers the positive values of a CV_32SC1 map of markers, inside of the mask if that is not empty, from
+//! 0 in their order; all else becomes -1. Returns how many there are. (user_markers.cpp)
+int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
+
+//! Marker i, a point or the pixels that have the value i, gets the label i + 1. (nodes.cpp)
+CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, NodeMap& nodes);
+void labelMarkers(const Mat& markers, NodeMap& nodes);
+
+//! Algorithm 1: floods from the nodes that have a label. Leaves LINE and UNLABELLED nodes. (flood.cpp)
 //! A node whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
-CV_EXPORTS void floodFromMarkers(const std::vector<Point>& markers, const Mat& gradient,
-                                 float border_threshold, int alpha, NodeMap& nodes);
+CV_EXPORTS void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes);
 
 //! Indices of nodes.
 struct LineBuffers
@@ -40,8 +52,18 @@ struct LineBuffers
 //! Gives every node without a label to a neighbour. (lines.cpp)
 CV_EXPORTS void absorbLines(int alpha, NodeMap& nodes, LineBuffers& buffers);
 
-//! CV_32SC1 labels 0..N-1 of nodes that all have a label. (labels.cpp)
+//! CV_32SC1 labels 0..N-1, -1 where a node has none. (labels.cpp)
 CV_EXPORTS void extractLabels(NodeMap& nodes, Mat& labels);
+
+//! Area, bounding box and centroid of each superpixel, and its mean colour and depth where image and
+//! depth are not empty; tables as SuperpixelGWatershed::getStatistics() has them. (statistics.cpp)
+void measureSuperpixels(const Mat& labels, int num_labels, const Mat& image, const Mat& depth, Mat& stats,
+                        Mat& centroids, Mat& mean_colors, Mat& mean_depths);
+
+//! Pairs of superpixels that touch, the length of their boundary, and its mean height where color is not
+//! empty; tables as SuperpixelGWatershed::getAdjacency() has them. (adjacency.cpp)
+void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Mat& depth, int alpha, Mat& pairs,
+                   Mat& lengths, Mat& heights);
 
 //! Mask of the pixels beside another label. (labels.cpp)
 void drawContours(const Mat& labels, bool thick_line, Mat& mask);

@@ -2,6 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "input.hpp"
+#include "merge_hierarchy.hpp"
 #include "plain_watershed.hpp"
 #include "region_watershed.hpp"
 #include "steps.hpp"
@@ -11,45 +13,6 @@
 namespace cv { namespace ximgproc {
 
 namespace {
-
-void checkIterations(int num_iterations)
-{
-    CV_CheckGE(num_iterations, 1, "num_iterations must be 1 or more");
-}
-
-void checkSize(int64 width, int64 height)
-{
-    const double nodes = double(width + 2) * (height + 2);
-    CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
-}
-
-//! Takes the header of an image that can be segmented.
-Mat checkImage(InputArray input)
-{
-    CV_Assert(!input.empty() && "image must not be empty");
-    CV_Assert(!input.isMatVector() && !input.isUMatVector() && "image must be one Mat or UMat");
-    Mat image = input.getMat();
-    CV_CheckEQ(image.dims, 2, "image must have two dimensions");
-    CV_Check(image.depth(), image.depth() == CV_8U || image.depth() == CV_16U || image.depth() == CV_32F,
-             "image must be CV_8U, CV_16U or CV_32F");
-    CV_Check(image.channels(), image.channels() == 1 || image.channels() == 3 || image.channels() == 4,
-             "image must have 1, 3 or 4 channels");
-    checkSize(image.cols, image.rows);
-    return image;
-}
-
-//! Takes the header of the depth of an image.
-Mat checkDepth(InputArray input, Size size)
-{
-    CV_Assert(!input.empty() && "depth must not be empty; call iterate(image) where there is none");
-    CV_Assert(!input.isMatVector() && !input.isUMatVector() && "depth must be one Mat or UMat");
-    Mat depth = input.getMat();
-    CV_CheckEQ(depth.dims, 2, "depth must have two dimensions");
-    CV_CheckType(depth.type(), depth.type() == CV_8UC1 || depth.type() == CV_16UC1 || depth.type() == CV_32FC1,
-                 "depth must be CV_8UC1, CV_16UC1 or CV_32FC1");
-    CV_CheckEQ(depth.size(), size, "depth must have the size of image");
-    return depth;
-}
 
 class SuperpixelGWatershedImpl CV_FINAL : public SuperpixelGWatershed
 {
@@ -79,21 +42,21 @@ public:
     {
         if (image_.empty())
             CV_Error(Error::StsError, "There is no image: call iterate(image), or give one to the factory");
-        checkIterations(num_iterations);
+        gws::checkIterations(num_iterations);
         segment(image_, depth_, num_iterations);
     }
 
     void iterate(InputArray image, int num_iterations) CV_OVERRIDE
     {
-        const Mat checked = checkImage(image);
-        checkIterations(num_iterations);
+        const Mat checked = gws::checkImage(image);
+        gws::checkIterations(num_iterations);
         segment(checked, Mat(), num_iterations);
     }
 
     void iterate(InputArray image, InputArray depth, int num_iterations) CV_OVERRIDE
     {
-        const Mat checked = checkImage(image), checked_depth = checkDepth(depth, checked.size());
-        checkIterations(num_iterations);
+        const Mat checked = gws::checkImage(image), checked_depth = gws::checkDepth(depth, checked.size());
+        gws::checkIterations(num_iterations);
         segment(checked, checked_depth, num_iterations);
     }
 
@@ -118,7 +81,10 @@ public:
         Mat mask = image.getMat();
         mask.setTo(Scalar(0));
         if (has_lines_)
-            plain_.drawLines(mask);
+        {
+            Mat part = mask(bounds_);
+            plain_.drawLines(part);
+        }
     }
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
@@ -126,12 +92,72 @@ public:
         checkSegmented();
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
-        const double mean_area = double(labels_.rows) * labels_.cols / num_labels_;
+        if (num_labels_ == 0)
+            return;
+        const double mean_area = double(countNonZero(labels_ >= 0)) / num_labels_;
         guardMemory([&]()
         {
             num_labels_ = gws::mergeSmallRegions(num_labels_, cvCeil(mean_area * min_element_size / 100), labels_);
         });
+        hierarchy_ = gws::MergeHierarchy();
     }
+
+    void mergeSimilar(int num_superpixels) CV_OVERRIDE
+    {
+        checkSegmented();
+        CV_CheckGE(num_superpixels, 1, "num_superpixels must be 1 or more");
+        if (num_labels_ == 0)
+            return;
+        guardMemory([&]()
+        {
+            Mat part = labels_(bounds_);
+            if (hierarchy_.empty())
+                buildHierarchy(part);
+            num_labels_ = hierarchy_.cut(num_superpixels, part);
+        });
+    }
+
+    void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
+                       OutputArray mean_colors, OutputArray mean_depths) const CV_OVERRIDE
+    {
+        checkSegmented();
+        const Mat values = gws::checkValues(image, labels_.size());
+        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        guardMemory([&]()
+        {
+            Mat tables[4];
+            gws::measureSuperpixels(labels_, num_labels_, values, depths, tables[0], tables[1], tables[2], tables[3]);
+            give(tables[0], stats);
+            give(tables[1], centroids);
+            give(tables[2], mean_colors);
+            give(tables[3], mean_depths);
+        });
+    }
+
+    void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
+                      OutputArray heights) const CV_OVERRIDE
+    {
+        checkSegmented();
+        const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, labels_.size()));
+        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        guardMemory([&]()
+        {
+            Mat converted, scaled, tables[3];
+            const Mat color = values.empty() ? Mat() : gws::convertImage(values, converted);
+            gws::listAdjacency(labels_, num_labels_, color, scaleDepth(depths, scaled), parameters_.alphaWeight(),
+                               tables[0], tables[1], tables[2]);
+            give(tables[0], pairs);
+            give(tables[1], lengths);
+            give(tables[2], heights);
+        });
+    }
+
+    void setMask(InputArray mask) CV_OVERRIDE
+    {
+        const Mat checked = gws::checkMask(mask);
+        mask_ = checked.empty() ? Mat() : Mat(checked != 0);
+    }
+    void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
 
     void setAlgorithm(int algorithm) CV_OVERRIDE { parameters_.setAlgorithm(algorithm); }
     int getAlgorithm() const CV_OVERRIDE { return parameters_.algorithm; }
@@ -158,13 +184,13 @@ public:
     }
     void read(const FileNode& fn) CV_OVERRIDE { parameters_ = gws::Parameters::read(fn); }
     void clear() CV_OVERRIDE { *this = SuperpixelGWatershedImpl(parameters_); }
-    bool empty() const CV_OVERRIDE { return num_labels_ == 0; }
+    bool empty() const CV_OVERRIDE { return !segmented_; }
     String getDefaultName() const CV_OVERRIDE { return "SuperpixelGWatershed"; }
 
 private:
     void checkSegmented() const
     {
-        if (num_labels_ == 0)
+        if (empty())
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
@@ -181,33 +207,111 @@ private:
         }
     }
 
+    //! Copies a table to an output, if that is wanted; a table without rows, too, has its columns and type.
+    static void give(const Mat& table, OutputArray output)
+    {
+        if (output.needed())
+            table.copyTo(output);
+    }
+
+    Mat scaleDepth(const Mat& depth, Mat& buffer) const
+    {
+        return gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, buffer);
+    }
+
+    void checkMaps(Size size) const
+    {
+        if (!mask_.empty())
+            CV_CheckEQ(mask_.size(), size, "mask must have the size of image; setMask() of an empty one drops it");
+        if (!markers_.empty())
+            CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones drops them");
+    }
+
     //! If something fails on the way, there is no segmentation, and the next call starts anew.
     void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
+        checkMaps(image.size());
+        segmented_ = false;
         num_labels_ = 0;
+        hierarchy_ = gws::MergeHierarchy();
         if (!complete_)
             region_guided_ = gws::RegionWatershed();
         complete_ = false;
-        guardMemory([&]()
+        guardMemory([&]() { segmentInside(image, depth, num_iterations); });
+        complete_ = segmented_ = true;
+    }
+
+    //! Segments the bounding box of the mask.
+    void segmentInside(const Mat& image, const Mat& depth, int num_iterations)
+    {
+        bounds_ = mask_.empty() ? Rect(Point(), image.size()) : gws::findBounds(mask_);
+        const bool whole = bounds_.size() == image.size();
+        has_lines_ = parameters_.algorithm == GWATERSHED;
+        labels_.create(image.size(), CV_32SC1);
+        if (!whole)
+            labels_.setTo(Scalar(-1));
+        Mat part = labels_(bounds_);
+        gws::Frame frame;
+        if (!bounds_.empty())
+            makeFrame(image, depth, frame);
+        if (!bounds_.empty() && frame.num_superpixels > 0)
         {
-            const Mat color = gws::convertImage(image, converted_);
-            const Mat scaled = gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, scaled_);
-            has_lines_ = parameters_.algorithm == GWATERSHED;
-            if (has_lines_)
-                plain_.run(color, scaled, parameters_, labels_);
-            else
-                region_guided_.run(color, scaled, parameters_, num_iterations, labels_);
-        });
-        complete_ = true;
-        num_labels_ = parameters_.countSuperpixels(image.size());
+            num_labels_ = has_lines_ ? plain_.run(frame, parameters_, part)
+                                     : region_guided_.run(frame, parameters_, num_iterations, part);
+            if (!frame.mask.empty())
+                max(part, Scalar(-1), part);
+        }
+        else
+            part.setTo(Scalar(-1));
+    }
+
+    //! @note Depth outside of the mask is dropped first, so that it has no influence on the scale.
+    void makeFrame(const Mat& image, const Mat& depth, gws::Frame& frame)
+    {
+        if (!mask_.empty())
+            frame.mask = mask_(bounds_);
+        frame.num_pixels = frame.mask.empty() ? bounds_.area() : countNonZero(frame.mask);
+        if (frame.num_pixels == bounds_.area())
+            frame.mask.release();
+
+        frame.color = gws::convertImage(image(bounds_), converted_);
+        if (!depth.empty() && frame.mask.empty())
+            frame.depth = scaleDepth(depth(bounds_), scaled_);
+        else if (!depth.empty())
+        {
+            Mat inside = Mat::zeros(bounds_.size(), depth.type());
+            depth(bounds_).copyTo(inside, frame.mask);
+            frame.depth = scaleDepth(inside, scaled_);
+        }
+
+        frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
+        if (!markers_.empty())
+            frame.num_superpixels = gws::numberMarkers(markers_(bounds_), frame.mask, frame.markers);
+    }
+
+    void buildHierarchy(const Mat& labels)
+    {
+        const gws::RegionDistance distance = gws::RegionWatershed::floodDistance(parameters_.alpha);
+        if (has_lines_)
+        {
+            gws::Padded<gws::Feature> features;
+            plain_.makeFeatures(parameters_.uniform_color, features);
+            hierarchy_.build(features, distance, labels, num_labels_);
+        }
+        else
+            hierarchy_.build(region_guided_.features(), distance, labels, num_labels_);
     }
 
     gws::Parameters parameters_;
-    Mat image_, depth_; // copies of what the factory was given
+    Mat image_, depth_;    // copies of what the factory was given
+    Mat mask_, markers_;   // copies of what was set; the mask as 0 and 255
 
-    int num_labels_ = 0; // 0: there is no segmentation
+    bool segmented_ = false;
+    int num_labels_ = 0;
     Mat labels_;
+    Rect bounds_;          // of the mask; outside of it all labels are -1
     bool has_lines_ = false; // the segmentation is by GWATERSHED
+    gws::MergeHierarchy hierarchy_;
 
     // The algorithms, and buffers that stay from one image to the next.
     gws::PlainWatershed plain_;
@@ -226,7 +330,7 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
     CV_CheckGE(image_height, 1, "image_height must be 1 or more");
     CV_Check(image_channels, image_channels == 1 || image_channels == 3 || image_channels == 4,
              "image_channels must be 1, 3 or 4");
-    checkSize(image_width, image_height);
+    gws::checkSize(image_width, image_height);
     gws::Parameters parameters;
     parameters.setNumSuperpixels(num_superpixels);
     parameters.setAlgorithm(algorithm);
@@ -254,14 +358,14 @@ static Ptr<SuperpixelGWatershed> createForImage(const Mat& image, const Mat& dep
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, int algorithm, int region_size,
                                                      float ruler)
 {
-    return createForImage(checkImage(image), Mat(), algorithm, region_size, ruler, gws::Parameters().alpha);
+    return createForImage(gws::checkImage(image), Mat(), algorithm, region_size, ruler, gws::Parameters().alpha);
 }
 
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, InputArray depth, int algorithm,
                                                      int region_size, float ruler, float alpha)
 {
-    const Mat checked = checkImage(image);
-    return createForImage(checked, checkDepth(depth, checked.size()), algorithm, region_size, ruler, alpha);
+    const Mat checked = gws::checkImage(image);
+    return createForImage(checked, gws::checkDepth(depth, checked.size()), algorithm, region_size, ruler, alpha);
 }
 
 }} // namespace

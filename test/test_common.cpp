@@ -81,6 +81,72 @@ Mat makeDepth(Size size, double holes, RNG& rng)
     return depth;
 }
 
+Mat makeMask(MaskKind kind, Size size, RNG& rng)
+{
+    Mat mask = Mat::zeros(size, CV_8UC1);
+    const Scalar inside(rng.uniform(1, 256));
+    const Rect all(Point(), size);
+    switch (kind)
+    {
+    case DISCS:
+        for (int i = 0; i < 5; i++)
+            circle(mask, Point(rng.uniform(0, size.width), rng.uniform(0, size.height)),
+                   rng.uniform(1, std::max(2, size.width / 4)), inside, FILLED);
+        break;
+    case DUST:
+        rng.fill(mask, RNG::UNIFORM, 0, 3);
+        break;
+    case MESH:
+        mask.setTo(inside);
+        for (int y = 0; y < size.height; y += 7)
+            mask.row(y).setTo(Scalar(0));
+        for (int x = 3; x < size.width; x += 11)
+            mask.col(x).setTo(Scalar(0));
+        break;
+    case THIN_LINES:
+        for (int i = 0; i < 6; i++)
+            line(mask, Point(rng.uniform(0, size.width), rng.uniform(0, size.height)),
+                 Point(rng.uniform(0, size.width), rng.uniform(0, size.height)), inside, 1 + i / 2);
+        break;
+    case FRAME_MASK:
+        mask.setTo(inside);
+        mask(Rect(size.width / 5, size.height / 5, size.width * 3 / 5, size.height * 3 / 5)).setTo(Scalar(0));
+        break;
+    case BRIDGE: // two boxes and a line of one pixel between them
+        mask(Rect(0, 0, (size.width + 2) / 3, size.height)).setTo(inside);
+        mask(Rect(size.width - size.width / 3, 0, size.width / 3, size.height)).setTo(inside);
+        mask.row(size.height / 2).setTo(inside);
+        break;
+    case FEW_PIXELS:
+        for (int i = 0; i < 3; i++)
+            mask.at<uchar>(rng.uniform(0, size.height), rng.uniform(0, size.width)) = uchar(inside[0]);
+        break;
+    case FULL_MASK:
+        mask(all).setTo(inside);
+        break;
+    default:;
+    }
+    return mask;
+}
+
+Mat makeMarkers(Size size, int count, RNG& rng)
+{
+    Mat markers = Mat::zeros(size, CV_32SC1);
+    for (int i = 0; i < count; i++)
+    {
+        const Scalar value(rng.uniform(0, 8) ? rng.uniform(1, 2 + 3 * count) : rng.uniform(-5, 1000000));
+        const Point p(rng.uniform(0, size.width), rng.uniform(0, size.height));
+        const Point q(rng.uniform(0, size.width), rng.uniform(0, size.height));
+        if (i % 3 == 0)
+            markers.at<int>(p) = int(value[0]);
+        else if (i % 3 == 1)
+            line(markers, p, p + (q - p) / 4, value, 1, 4);
+        else
+            rectangle(markers, p, p + (q - p) / 6, value, FILLED);
+    }
+    return markers;
+}
+
 Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws)
 {
     Mat labels;
@@ -149,6 +215,42 @@ void expectPartition(const Mat& labels, Size size, int num_labels)
         }
     EXPECT_EQ(0, std::count(area.begin(), area.end(), 0)) << "labels without a pixel";
     EXPECT_EQ(num_labels, countPieces(labels));
+}
+
+int countMaskPieces(const Mat& mask)
+{
+    Mat own(mask.size(), CV_32SC1, Scalar(0)); // each pixel outside has a number of its own
+    int outside = 0;
+    for (int y = 0; y < mask.rows; y++)
+        for (int x = 0; x < mask.cols; x++)
+            if (!mask.at<uchar>(y, x))
+                own.at<int>(y, x) = ++outside;
+    return countPieces(own) - outside;
+}
+
+void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels)
+{
+    ASSERT_EQ(CV_32SC1, labels.type());
+    ASSERT_EQ(mask.size(), labels.size());
+    Mat own = labels.clone(); // each pixel outside has a number of its own
+    std::vector<int> area(num_labels, 0);
+    int next = num_labels;
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+        {
+            const int label = labels.at<int>(y, x);
+            if (!mask.at<uchar>(y, x))
+            {
+                ASSERT_EQ(-1, label) << "outside, " << Point(x, y);
+                own.at<int>(y, x) = next++;
+                continue;
+            }
+            ASSERT_GE(label, 0) << Point(x, y);
+            ASSERT_LT(label, num_labels);
+            area[label]++;
+        }
+    EXPECT_EQ(0, std::count(area.begin(), area.end(), 0)) << "labels without a pixel";
+    EXPECT_EQ(next, countPieces(own));
 }
 
 static int numberOfLabels(const Mat& labels)

@@ -13,6 +13,19 @@ namespace opencv_test
 //! The algorithms that every property is asked of.
 #define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED), int(RGWATERSHED))
 
+//! Expects an exception whose message names a word, and the same labels as before it.
+#define EXPECT_REFUSED(statement, word) \
+    do { \
+        bool refused = false; \
+        try { statement; } \
+        catch (const cv::Exception& e) \
+        { \
+            refused = true; \
+            EXPECT_NE(std::string::npos, String(e.what()).find(word)) << e.what(); \
+        } \
+        EXPECT_TRUE(refused) << #statement; \
+    } while (0)
+
 enum ImageKind { FLAT, NOISE, RAMP, STRIPES, CHECKERBOARD, SCENE, IMAGE_KINDS };
 
 //! Discs and boxes of many colours on a ramp, a little blurred and noisy: looks like a photograph
@@ -23,6 +36,14 @@ Mat makeImage(ImageKind kind, Size size, int channels, RNG& rng);
 //! CV_16UC1 depth in millimetres: planes at several distances; a share of holes, in blobs.
 Mat makeDepth(Size size, double holes, RNG& rng);
 
+enum MaskKind { DISCS, DUST, MESH, THIN_LINES, FRAME_MASK, BRIDGE, FEW_PIXELS, EMPTY_MASK, FULL_MASK, MASK_KINDS };
+
+//! CV_8UC1 mask of a kind; inside are values from 1 to 255.
+Mat makeMask(MaskKind kind, Size size, RNG& rng);
+//! CV_32SC1 markers with up to `count` values, some of them negative or in several pieces: strokes,
+//! boxes and single pixels.
+Mat makeMarkers(Size size, int count, RNG& rng);
+
 Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws);
 //! Segments with a fresh object.
 Mat segment(InputArray image, int algorithm, int region_size);
@@ -32,6 +53,10 @@ Mat segment(InputArray image, InputArray depth, int algorithm, int region_size);
 int countPieces(const Mat& labels);
 //! All pixels labelled, labels 0..N-1 without gaps, each of them one 4-connected piece.
 void expectPartition(const Mat& labels, Size size, int num_labels);
+//! The same inside of a mask, -1 outside.
+void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels);
+//! Number of 4-connected pieces of a mask.
+int countMaskPieces(const Mat& mask);
 bool equalMats(const Mat& a, const Mat& b);
 //! Share of the variance of a CV_8UC3 image that the mean colours of the superpixels keep.
 double explainedVariation(const Mat& labels, const Mat& image);

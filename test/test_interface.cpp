@@ -8,19 +8,6 @@ namespace opencv_test { namespace {
 
 // The interface: errors, contour masks, small superpixels, Algorithm, code written for SLIC and SEEDS.
 
-//! Expects an exception whose message names a word, and the same labels as before it.
-#define EXPECT_REFUSED(statement, word) \
-    do { \
-        bool refused = false; \
-        try { statement; } \
-        catch (const cv::Exception& e) \
-        { \
-            refused = true; \
-            EXPECT_NE(std::string::npos, String(e.what()).find(word)) << e.what(); \
-        } \
-        EXPECT_TRUE(refused) << #statement; \
-    } while (0)
-
 typedef testing::TestWithParam<int> ximgproc_GWatershed_interface;
 
 TEST_P(ximgproc_GWatershed_interface, refuses_wrong_images_and_stays_usable)

@@ -18,12 +18,25 @@ struct PlainGWatershed
 {
     Mat color;  // CV_8UC3
     Mat depth;  // CV_8UC1, 0 where missing; empty if there is none
+    Mat mask;   // CV_8UC1; empty if all pixels are inside
     int alpha;  // in 1/256
     float border_threshold;
     Mat s;      // states, then labels 1..N
     Mat lines;
 
-    bool inside(Point p) const { return Rect(Point(), color.size()).contains(p); }
+    bool inside(Point p) const
+    {
+        return Rect(Point(), color.size()).contains(p) && (mask.empty() || mask.at<uchar>(p));
+    }
+    // Whether a pixel of the image around p is outside of the mask: its gradient cannot be told.
+    bool besideOutside(Point p) const
+    {
+        for (int dy = -1; dy <= 1; dy++)
+            for (int dx = -1; dx <= 1; dx++)
+                if (Rect(Point(), color.size()).contains(p + Point(dx, dy)) && !inside(p + Point(dx, dy)))
+                    return true;
+        return false;
+    }
     int state(Point p) const { return inside(p) ? s.at<int>(p) : S_BORDER; }
 
     int dist(Point p, Point q) const
@@ -115,7 +128,9 @@ struct PlainGWatershed
             for (int x = 0; x < s.cols; x++)
             {
                 const Point p(x, y);
-                if (s.at<int>(p) == 0 && border_threshold > 0 && g.at<int>(p) >= border_threshold)
+                if (!inside(p))
+                    continue;
+                if (s.at<int>(p) == 0 && border_threshold > 0 && g.at<int>(p) >= border_threshold && !besideOutside(p))
                     s.at<int>(p) = S_BORDER;
                 int h = 256;
                 for (int k = 0; k < 4; k++)
@@ -163,29 +178,64 @@ struct PlainGWatershed
     void absorb()
     {
         lines = s <= 0;
-        while (countNonZero(s <= 0) > 0)
+        for (bool changed = true; changed;)
         {
+            changed = false;
             Mat next = s.clone();
             for (int y = 0; y < s.rows; y++)
                 for (int x = 0; x < s.cols; x++)
                 {
                     const Point p(x, y);
                     int smallest = 256;
-                    for (int k = 0; s.at<int>(p) <= 0 && k < 4; k++)
+                    for (int k = 0; inside(p) && s.at<int>(p) <= 0 && k < 4; k++)
                     {
                         const Point a = p + LEFT_TOP_RIGHT_BOTTOM[k];
                         if (state(a) > 0 && dist(p, a) < smallest)
                         {
                             smallest = dist(p, a);
+                            changed = true;
                             next.at<int>(p) = state(a);
                         }
                     }
                 }
             s = next;
         }
+        lines.setTo(Scalar(0), s <= 0); // no marker reaches these
     }
 
     void run(const Mat& image, int k)
+    {
+        const Mat g = prepare(image);
+        const std::vector<Point> markers = seeds(g, k);
+        s = Mat::zeros(image.size(), CV_32SC1);
+        for (size_t i = 0; i < markers.size(); i++)
+            s.at<int>(markers[i]) = int(i) + 1;
+        flood(g);
+        absorb();
+    }
+
+    // Returns the number of markers inside of the mask.
+    int run(const Mat& image, const Mat& markers)
+    {
+        const Mat g = prepare(image);
+        std::map<int, int> labels;
+        s = Mat::zeros(image.size(), CV_32SC1);
+        for (int pass = 0; pass < 2; pass++)
+        {
+            int n = 0;
+            for (std::map<int, int>::iterator i = labels.begin(); i != labels.end(); ++i)
+                i->second = ++n;
+            for (int y = 0; y < s.rows; y++)
+                for (int x = 0; x < s.cols; x++)
+                    if (inside(Point(x, y)) && markers.at<int>(y, x) > 0)
+                        s.at<int>(y, x) = labels[markers.at<int>(y, x)];
+        }
+        flood(g);
+        absorb();
+        return int(labels.size());
+    }
+
+    Mat prepare(const Mat& image)
     {
         Mat gray = image;
         if (image.channels() == 1)
@@ -195,13 +245,7 @@ struct PlainGWatershed
             color = image;
             cvtColor(image, gray, COLOR_BGR2GRAY);
         }
-        const Mat g = gradient(gray);
-        const std::vector<Point> markers = seeds(g, k);
-        s = Mat::zeros(image.size(), CV_32SC1);
-        for (size_t i = 0; i < markers.size(); i++)
-            s.at<int>(markers[i]) = int(i) + 1;
-        flood(g);
-        absorb();
+        return gradient(gray);
     }
 };
 
@@ -283,6 +327,45 @@ TEST(ximgproc_SuperpixelGWatershed, equals_plain_transcription_of_algorithm_1)
         compared += size.area();
     }
     EXPECT_GT(compared, 500000) << "pixels compared";
+}
+
+// Markers of the user, in a mask or not. What is outside of the bounding box of a mask does not exist.
+TEST(ximgproc_SuperpixelGWatershed, equals_plain_transcription_with_markers_and_mask)
+{
+    RNG& rng = theRNG();
+    int compared = 0;
+    for (int i = 0; i < 200; i++)
+    {
+        const Size size(rng.uniform(1, 98), rng.uniform(1, 84));
+        const Mat image = makeImage(ImageKind(i % IMAGE_KINDS), size, i % 5 ? 3 : 1, rng);
+        const Mat markers = makeMarkers(size, rng.uniform(1, 40), rng);
+        const Mat mask = i % 2 ? makeMask(MaskKind(i / 2 % MASK_KINDS), size, rng) : Mat();
+        std::vector<Point> points; // boundingRect(mask) of OpenCV 4.6.0 is wrong where the image is two pixels wide
+        findNonZero(mask.empty() ? Mat(size, CV_8UC1, Scalar(1)) : mask, points);
+        const Rect box = points.empty() ? Rect() : boundingRect(points);
+
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, 10);
+        gws->setMask(mask);
+        gws->setMarkers(markers);
+        gws->setBorderThreshold(i % 3 * 100.f);
+        gws->iterate();
+        Mat expected = Mat::zeros(size, CV_32SC1), expected_lines = Mat::zeros(size, CV_8UC1), lines;
+        if (!box.empty())
+        {
+            PlainGWatershed plain;
+            plain.border_threshold = i % 3 * 100.f;
+            if (!mask.empty())
+                plain.mask = mask(box);
+            ASSERT_EQ(plain.run(image(box).clone(), markers(box)), gws->getNumberOfSuperpixels());
+            Mat(cv::max(plain.s, 0)).copyTo(expected(box));
+            plain.lines.copyTo(expected_lines(box));
+        }
+        gws->getWatershedLineMask(lines);
+        ASSERT_TRUE(equalMats(expected, labelsOf(gws) + 1)) << "case " << i << ", " << size;
+        ASSERT_TRUE(equalMats(expected_lines, lines)) << "case " << i << ", " << size;
+        compared += box.area();
+    }
+    EXPECT_GT(compared, 200000) << "pixels compared";
 }
 
 // What iterations mean to a flood of one pass.

@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "input.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+void checkIterations(int num_iterations)
+{
+    CV_CheckGE(num_iterations, 1, "num_iterations must be 1 or more");
+}
+
+void checkSize(int64 width, int64 height)
+{
+    const double nodes = double(width + 2) * (height + 2);
+    CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
+}
+
+static bool isOneMatrix(InputArray input)
+{
+    return !input.isMatVector() && !input.isUMatVector();
+}
+
+Mat checkImage(InputArray input)
+{
+    CV_Assert(!input.empty() && "image must not be empty");
+    CV_Assert(isOneMatrix(input) && "image must be one Mat or UMat");
+    const Mat image = input.getMat();
+    CV_CheckEQ(image.dims, 2, "image must have two dimensions");
+    CV_Check(image.depth(), image.depth() == CV_8U || image.depth() == CV_16U || image.depth() == CV_32F,
+             "image must be CV_8U, CV_16U or CV_32F");
+    CV_Check(image.channels(), image.channels() == 1 || image.channels() == 3 || image.channels() == 4,
+             "image must have 1, 3 or 4 channels");
+    checkSize(image.cols, image.rows);
+    return image;
+}
+
+Mat checkDepth(InputArray input, Size size)
+{
+    CV_Assert(!input.empty() && "depth must not be empty; call iterate(image) where there is none");
+    CV_Assert(isOneMatrix(input) && "depth must be one Mat or UMat");
+    const Mat depth = input.getMat();
+    CV_CheckEQ(depth.dims, 2, "depth must have two dimensions");
+    CV_CheckType(depth.type(), depth.type() == CV_8UC1 || depth.type() == CV_16UC1 || depth.type() == CV_32FC1,
+                 "depth must be CV_8UC1, CV_16UC1 or CV_32FC1");
+    CV_CheckEQ(depth.size(), size, "depth must have the size of image");
+    return depth;
+}
+
+Mat checkValues(InputArray input, Size size)
+{
+    if (input.empty())
+        return Mat();
+    CV_Assert(isOneMatrix(input) && "image must be one Mat or UMat");
+    const Mat image = input.getMat();
+    CV_CheckEQ(image.dims, 2, "image must have two dimensions");
+    CV_CheckEQ(image.size(), size, "image must have the size of the label map");
+    return image;
+}
+
+Mat checkMask(InputArray input)
+{
+    if (input.empty())
+        return Mat();
+    CV_Assert(isOneMatrix(input) && "mask must be one Mat or UMat");
+    const Mat mask = input.getMat();
+    CV_CheckEQ(mask.dims, 2, "mask must have two dimensions");
+    CV_CheckTypeEQ(mask.type(), CV_8UC1, "mask must be CV_8UC1");
+    return mask;
+}
+
+Mat checkMarkers(InputArray input)
+{
+    if (input.empty())
+        return Mat();
+    CV_Assert(isOneMatrix(input) && "markers must be one Mat or UMat");
+    const Mat markers = input.getMat();
+    CV_CheckEQ(markers.dims, 2, "markers must have two dimensions");
+    CV_CheckTypeEQ(markers.type(), CV_32SC1, "markers must be CV_32SC1");
+    return markers;
+}
+
+}}} // namespace

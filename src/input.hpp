@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_INPUT_HPP
+#define OPENCV_GWATERSHED_INPUT_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! @file Checks of arguments: they return the header of a matrix that is as it must be, or throw.
+
+void checkIterations(int num_iterations);
+void checkSize(int64 width, int64 height);
+
+//! An image that can be segmented.
+Mat checkImage(InputArray image);
+//! The depth of an image of a size.
+Mat checkDepth(InputArray depth, Size size);
+//! An image to measure, of any depth and number of channels; may be empty.
+Mat checkValues(InputArray image, Size size);
+//! CV_8UC1; may be empty.
+Mat checkMask(InputArray mask);
+//! CV_32SC1; may be empty.
+Mat checkMarkers(InputArray markers);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,113 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+typedef std::vector<Point>::iterator PointIterator;
+
+//! The smallest gradient near the centre of the cell; of equal ones the nearest to it. Pixels that are
+//! not near, in a cell that is not convex, come last.
+static Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end)
+{
+    const int64 area = end - begin;
+    int64 sum_x = 0, sum_y = 0;
+    for (PointIterator p = begin; p != end; ++p)
+    {
+        sum_x += p->x;
+        sum_y += p->y;
+    }
+    const Point center(int(sum_x / area), int(sum_y / area));
+    const int64 near_enough = std::max<int64>(area / 16, 2); // a quarter of the side, squared
+
+    Point best;
+    int64 best_away = INT64_MAX;
+    int best_gradient = INT_MAX;
+    for (PointIterator p = begin; p != end; ++p)
+    {
+        const int64 dx = p->x - center.x, dy = p->y - center.y, away = dx * dx + dy * dy;
+        const int height = away <= near_enough ? gradient.at<ushort>(*p) : INT_MAX;
+        if (height < best_gradient || (height == best_gradient && away < best_away))
+        {
+            best = *p;
+            best_away = away;
+            best_gradient = height;
+        }
+    }
+    return best;
+}
+
+//! Sorts by columns, keeping the order within a column.
+static void sortByColumns(PointIterator begin, PointIterator end, std::vector<Point>& sorted)
+{
+    int left = INT_MAX, right = 0;
+    for (PointIterator p = begin; p != end; ++p)
+    {
+        left = std::min(left, p->x);
+        right = std::max(right, p->x);
+    }
+    std::vector<int> starts(right - left + 2, 0);
+    for (PointIterator p = begin; p != end; ++p)
+        starts[p->x - left + 1]++;
+    for (size_t i = 1; i < starts.size(); i++)
+        starts[i] += starts[i - 1];
+    sorted.resize(end - begin);
+    for (PointIterator p = begin; p != end; ++p)
+        sorted[starts[p->x - left]++] = *p;
+}
+
+//! Places n markers, n <= number of points, in a component given in raster order: in cells of equal
+//! area, as square as the component is, rows of cells one below the other.
+static void placeInComponent(const Mat& gradient, PointIterator begin, PointIterator end, int n, Size bounds,
+                             std::vector<Point>& markers)
+{
+    const int square = cvRound(std::sqrt(double(n) * bounds.height / bounds.width));
+    const int rows = std::max(1, std::min(square, std::min(n, bounds.height)));
+    const int64 area = end - begin;
+    std::vector<Point> row;
+    for (int i = 0; i < rows; i++)
+    {
+        const int64 first = int64(n) * i / rows, last = int64(n) * (i + 1) / rows;
+        sortByColumns(begin + area * first / n, begin + area * last / n, row);
+        const int64 row_area = int64(row.size()), cells = last - first;
+        for (int64 k = 0; k < cells; k++)
+            markers.push_back(findMarker(gradient, row.begin() + row_area * k / cells,
+                                         row.begin() + row_area * (k + 1) / cells));
+    }
+}
+
+//! Each component has one marker, and of the others a share in proportion to its area.
+void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, std::vector<Point>& markers)
+{
+    CV_TRACE_FUNCTION();
+    Mat components, stats, centroids;
+    const int count = connectedComponentsWithStats(mask, components, stats, centroids, 4, CV_32S) - 1;
+    std::vector<int> starts(count + 1, 0); // of the points of each component
+    for (int i = 0; i < count; i++)
+        starts[i + 1] = starts[i] + stats.at<int>(i + 1, CC_STAT_AREA);
+    const int area = starts[count];
+
+    std::vector<Point> points(area);
+    std::vector<int> ends(starts);
+    for (int y = 0; y < components.rows; y++)
+    {
+        const int* row = components.ptr<int>(y);
+        for (int x = 0; x < components.cols; x++)
+            if (row[x] > 0)
+                points[ends[row[x] - 1]++] = Point(x, y);
+    }
+
+    markers.clear();
+    const int64 others = std::max(num_markers - count, 0), other_area = std::max(area - count, 1);
+    for (int i = 0; i < count; i++)
+    {
+        const int64 share = others * (starts[i + 1] - (i + 1)) / other_area - others * (starts[i] - i) / other_area;
+        const Size bounds(stats.at<int>(i + 1, CC_STAT_WIDTH), stats.at<int>(i + 1, CC_STAT_HEIGHT));
+        placeInComponent(gradient, points.begin() + starts[i], points.begin() + starts[i + 1], int(1 + share), bounds,
+                         markers);
+    }
+}
+
+}}} // namespace

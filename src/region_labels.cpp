@@ -1,0 +1,112 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "region_steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
+{
+    CV_TRACE_FUNCTION();
+    doubled.create(size, OUTSIDE);
+    parallel_for_(Range(0, size.height), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            const int* from = labels.row(y / 2);
+            int* to = doubled.row(y);
+            for (int x = 0; x < size.width; x++)
+                to[x] = from[x / 2];
+        }
+    });
+}
+
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
+{
+    labels.create(size, OUTSIDE);
+    Mat map = labels.view(CV_32SC1);
+    map.setTo(Scalar(UNSEEN));
+    if (!mask.empty())
+        map.setTo(Scalar(OUTSIDE), mask == 0);
+}
+
+void openUnlabelled(const Mat& mask, Padded<int>& labels)
+{
+    for (int y = 0; y < mask.rows; y++)
+    {
+        int* row = labels.row(y);
+        const uchar* inside = mask.ptr(y);
+        for (int x = 0; x < mask.cols; x++)
+            row[x] = inside[x] && row[x] < 0 ? int(UNSEEN) : row[x];
+    }
+}
+
+void closeUnseen(Padded<int>& labels)
+{
+    Mat map = labels.view(CV_32SC1);
+    map.setTo(Scalar(OUTSIDE), map == UNSEEN);
+}
+
+int labelUnseen(int num_regions, Padded<int>& labels)
+{
+    Mat map = labels.view(CV_32SC1), components;
+    const int count = connectedComponents(map == UNSEEN, components, 4, CV_32S) - 1;
+    if (count > 0)
+    {
+        components += Scalar(num_regions - 1);
+        components.copyTo(map, map == UNSEEN);
+    }
+    return num_regions + count;
+}
+
+void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions)
+{
+    CV_TRACE_FUNCTION();
+    regions.clear(regions.size());
+    for (int y = 0; y < labels.rows; y++)
+    {
+        const int* row = labels.ptr<int>(y);
+        const Feature* feature = features.row(y);
+        for (int x = 0; x < labels.cols;)
+        {
+            const int label = row[x];
+            RegionSum run = RegionSum();
+            for (; x < labels.cols && row[x] == label; x++)
+                run.add(feature[x]);
+            if (label >= 0)
+                regions.sums[label].add(run);
+        }
+    }
+    regions.update();
+}
+
+void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<int>& boundary)
+{
+    boundary.erase(std::remove_if(boundary.begin(), boundary.end(), [&](int p)
+    {
+        return markers.at<int>(labels.point(p)) >= 0;
+    }), boundary.end());
+}
+
+//! @note The pixels at the border of the image are listed, too: the frame has another label.
+void listBoundary(const Padded<int>& labels, std::vector<int>& boundary)
+{
+    CV_TRACE_FUNCTION();
+    const Size size = labels.size();
+    const int step = labels.step();
+    std::vector<uchar> beside(size.width);
+    boundary.clear();
+    for (int y = 0; y < size.height; y++)
+    {
+        const int* row = labels.row(y);
+        for (int x = 0; x < size.width; x++)
+            beside[x] = (row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
+                        (row[x - step] != row[x]) | (row[x + step] != row[x]);
+        for (int x = 0, p = labels.index(Point(0, y)); x < size.width; x++, p++)
+            if (beside[x] && row[x] != OUTSIDE)
+                boundary.push_back(p);
+    }
+}
+
+}}} // namespace

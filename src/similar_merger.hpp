@@ -1,0 +1,52 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_SIMILAR_MERGER_HPP
+#define OPENCV_GWATERSHED_SIMILAR_MERGER_HPP
+
+#include "region_graph.hpp"
+#include "region_steps.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Merges pairs of neighbouring regions, cheapest first.
+class SimilarMerger
+{
+public:
+    //! The exponents, in 1/16, are how much a long common boundary and a high one count.
+    SimilarMerger(const RegionDistance& distance, int length_exponent, int height_exponent,
+                  std::vector<MergePair>& pairs, Regions& regions);
+
+    //! To be filled with the boundaries of the regions before run().
+    RegionGraph& graph() { return graph_; }
+
+    //! Merges until num_regions are left, or none has a neighbour. Returns how many are left.
+    int run(int num_regions);
+
+    //! What was merged, in order: a region and the one that took it in.
+    const std::vector<Vec2i>& unions() const { return unions_; }
+
+private:
+    enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
+
+    int cost(int i, const RegionGraph::Boundary& boundary) const;
+    int64 squaredDistance(const RegionMean& a, const RegionMean& b) const;
+    void push(int i, const RegionGraph::Boundary& boundary);
+    bool pop(MergePair& pair);
+    void unite(int from, int to);
+
+    const RegionDistance distance_;
+    const int length_exponent_, height_exponent_;
+    Regions& regions_;
+    std::vector<MergePair>& pairs_;
+    RegionGraph graph_;
+    std::vector<Vec2i> unions_;
+    std::vector<int> versions_; // how often a region has changed
+    std::vector<int> first_, last_; // pairs by cost
+    int lowest_;
+};
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,211 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// setMask(): what is outside has no label and no influence, what is inside is a partition.
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_mask;
+
+TEST_P(ximgproc_GWatershed_mask, labels_the_inside_with_connected_superpixels)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 40 * MASK_KINDS; i++)
+    {
+        const MaskKind kind = MaskKind(i % MASK_KINDS);
+        const Size size(rng.uniform(1, 150), rng.uniform(1, 120));
+        const Mat image = makeImage(ImageKind(rng.uniform(0, int(IMAGE_KINDS))), size, 3, rng);
+        const Mat mask = makeMask(kind, size, rng), depth = makeDepth(size, 0.2, rng);
+        const int inside = countNonZero(mask), k = rng.uniform(1, 1 + size.area() / rng.uniform(1, 200));
+
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam());
+        gws->setNumSuperpixels(k);
+        gws->setMask(mask);
+        if (i % 2)
+            gws->iterate(1 + i % 4);
+        else
+            gws->iterate(image);
+        const int n = gws->getNumberOfSuperpixels();
+        ASSERT_EQ(std::max(std::min(k, inside), countMaskPieces(mask)), n)
+                << "kind " << int(kind) << ", " << size << ", " << k << " of " << inside;
+        ASSERT_NO_FATAL_FAILURE(expectMaskedPartition(labelsOf(gws), mask, n)) << "kind " << int(kind) << ", " << size;
+
+        Mat contours, thin, lines;
+        gws->getLabelContourMask(contours);
+        gws->getLabelContourMask(thin, false);
+        gws->getWatershedLineMask(lines);
+        EXPECT_EQ(0, countNonZero((contours | thin | lines) & (mask == 0)));
+    }
+}
+
+TEST_P(ximgproc_GWatershed_mask, counts_region_size_inside)
+{
+    const Mat image = makeScene(Size(200, 160), theRNG());
+    Mat mask = Mat::zeros(image.size(), CV_8UC1);
+    circle(mask, Point(90, 80), 60, Scalar(255), FILLED);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 10);
+    gws->setMask(mask);
+    gws->iterate();
+    EXPECT_EQ(cvRound(countNonZero(mask) / 100.), gws->getNumberOfSuperpixels());
+}
+
+TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 3 * MASK_KINDS; i++)
+    {
+        const Size size(rng.uniform(20, 150), rng.uniform(20, 120));
+        const Mat image = makeScene(size, rng), depth = makeDepth(size, 0.1, rng);
+        const Mat mask = makeMask(MaskKind(i % MASK_KINDS), size, rng);
+        Mat other(size, CV_8UC3), other_depth(size, CV_16UC1);
+        rng.fill(other, RNG::UNIFORM, 0, 256);
+        rng.fill(other_depth, RNG::UNIFORM, 0, 9000);
+        image.copyTo(other, mask);
+        depth.copyTo(other_depth, mask);
+
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 8);
+        gws->setMask(mask);
+        gws->iterate(image, depth, 2);
+        const Mat expected = labelsOf(gws);
+        gws->iterate(other, other_depth, 2);
+        EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << "kind " << i % MASK_KINDS << ", " << size;
+    }
+}
+
+TEST_P(ximgproc_GWatershed_mask, full_mask_is_none_and_a_box_is_a_submatrix)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(140, 110), rng), depth = makeDepth(image.size(), 0.1, rng);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 9);
+    gws->setMask(Mat(image.size(), CV_8UC1, Scalar(1)));
+    gws->iterate();
+    EXPECT_TRUE(equalMats(segment(image, depth, GetParam(), 9), labelsOf(gws)));
+
+    const Rect box(17, 5, 80, 71);
+    Mat mask = Mat::zeros(image.size(), CV_8UC1);
+    mask(box).setTo(Scalar(255));
+    gws->setMask(mask);
+    gws->iterate();
+    EXPECT_TRUE(equalMats(segment(image(box), depth(box), GetParam(), 9), labelsOf(gws)(box)));
+
+    gws->setMask(noArray());
+    gws->iterate();
+    EXPECT_TRUE(equalMats(segment(image, depth, GetParam(), 9), labelsOf(gws)));
+}
+
+TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
+{
+    const Mat image = makeScene(Size(50, 40), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->setMask(Mat::zeros(image.size(), CV_8UC1));
+    gws->iterate();
+    EXPECT_EQ(0, gws->getNumberOfSuperpixels());
+    EXPECT_FALSE(gws->empty());
+    EXPECT_EQ(0, cvtest::norm(labelsOf(gws), Mat(image.size(), CV_32SC1, Scalar(-1)), NORM_INF));
+    Mat contours, stats, centroids, colors, pairs, lengths, heights;
+    gws->getLabelContourMask(contours);
+    EXPECT_EQ(0, countNonZero(contours));
+    gws->getStatistics(image, noArray(), stats, centroids, colors, noArray());
+    EXPECT_TRUE(stats.empty() && centroids.empty() && colors.empty());
+    gws->getAdjacency(image, noArray(), pairs, lengths, heights);
+    EXPECT_TRUE(pairs.empty() && lengths.empty() && heights.empty());
+    gws->enforceLabelConnectivity();
+    gws->mergeSimilar(3);
+    EXPECT_EQ(0, gws->getNumberOfSuperpixels());
+}
+
+TEST_P(ximgproc_GWatershed_mask, refuses_wrong_masks_and_stays_usable)
+{
+    const Mat image = makeScene(Size(60, 40), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->iterate();
+    const Mat before = labelsOf(gws);
+    EXPECT_REFUSED(gws->setMask(Mat(40, 60, CV_8UC3)), "mask must be CV_8UC1");
+    EXPECT_REFUSED(gws->setMask(Mat(40, 60, CV_32SC1)), "mask must be CV_8UC1");
+    EXPECT_REFUSED(gws->setMask(std::vector<Mat>(2, Mat(40, 60, CV_8UC1))), "mask must be one Mat");
+    gws->setMask(Mat(40, 59, CV_8UC1, Scalar(1)));
+    EXPECT_REFUSED(gws->iterate(), "mask must have the size of image");
+    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
+    gws->setMask(Mat());
+    gws->iterate();
+    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
+}
+
+TEST_P(ximgproc_GWatershed_mask, keeps_a_copy_and_takes_umat_and_submatrices)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(90, 70), rng), mask = makeMask(DISCS, image.size(), rng);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->setMask(mask.clone());
+    gws->iterate();
+    const Mat expected = labelsOf(gws);
+
+    Mat edited = mask.clone();
+    gws->setMask(edited);
+    edited.setTo(Scalar(0));
+    gws->iterate();
+    EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
+
+    Mat wide;
+    cv::copyMakeBorder(mask, wide, 3, 4, 5, 6, BORDER_CONSTANT, Scalar(77));
+    gws->setMask(wide(Rect(Point(5, 3), mask.size())));
+    gws->iterate();
+    EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
+    gws->setMask(mask.getUMat(ACCESS_READ));
+    gws->iterate();
+    EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
+    gws->clear();
+    gws->iterate(image);
+    EXPECT_EQ(0, countNonZero(labelsOf(gws) < 0));
+}
+
+TEST_P(ximgproc_GWatershed_mask, merges_small_superpixels_within_their_component)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < MASK_KINDS; i++)
+    {
+        const Size size(120, 90);
+        const Mat mask = makeMask(MaskKind(i), size, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(makeImage(NOISE, size, 3, rng), GetParam(), 7);
+        gws->setMask(mask);
+        gws->iterate();
+        if (gws->getNumberOfSuperpixels() == 0)
+            continue;
+        const double smallest = 0.6 * countNonZero(mask) / gws->getNumberOfSuperpixels();
+        gws->enforceLabelConnectivity(60);
+        const int n = gws->getNumberOfSuperpixels();
+        ASSERT_NO_FATAL_FAILURE(expectMaskedPartition(labelsOf(gws), mask, n));
+        Mat stats, centroids, pairs, lengths;
+        gws->getStatistics(noArray(), noArray(), stats, centroids, noArray(), noArray());
+        gws->getAdjacency(noArray(), noArray(), pairs, lengths, noArray());
+        for (int k = 0; k < n; k++)
+        {
+            const bool alone = pairs.empty() || countNonZero(pairs == k) == 0;
+            EXPECT_TRUE(alone || stats.at<int>(k, CC_STAT_AREA) >= smallest) << "kind " << i << ", label " << k;
+        }
+    }
+}
+
+TEST_P(ximgproc_GWatershed_mask, is_the_same_for_any_number_of_threads)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(160, 120), rng), mask = makeMask(DISCS, image.size(), rng);
+    Mat expected;
+    for (int threads = 1; threads <= 8; threads *= 2)
+    {
+        ThreadsGuard guard(threads);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 8);
+        gws->setMask(mask);
+        gws->iterate(2);
+        if (threads == 1)
+            expected = labelsOf(gws);
+        EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << threads << " threads";
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_mask, GWATERSHED_ALGORITHMS);
+
+}} // namespace
