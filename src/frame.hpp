@@ -18,6 +18,7 @@ struct Frame
     Mat markers; //!< CV_32SC1, the label of a marker or below 0; empty: markers are to be placed
     int num_pixels;      //!< inside
     int num_superpixels; //!< asked for, or number of the markers
+    bool follows;        //!< it goes on from the last frame, which was of the same size, mask and number
 };
 
 }}} // namespace

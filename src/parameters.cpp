@@ -62,6 +62,7 @@ void Parameters::write(FileStorage& fs) const
        << "ruler" << ruler
        << "alpha" << alpha
        << "uniform_color" << int(uniform_color)
+       << "temporal" << int(temporal)
        << "near_depth" << near_depth
        << "far_depth" << far_depth
        << "border_threshold" << border_threshold;
@@ -87,6 +88,7 @@ Parameters Parameters::read(const FileNode& fn)
     parameters.setRuler(readValue<float>(fn, "ruler"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
     parameters.uniform_color = readValue<int>(fn, "uniform_color") != 0;
+    parameters.temporal = readValue<int>(fn, "temporal") != 0;
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;

@@ -18,6 +18,7 @@ struct Parameters
     float ruler = 10.f;
     float alpha = 0.5f;
     bool uniform_color = false;
+    bool temporal = false;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
     float border_threshold = 150; //!< measured, see doc/log.md; 0: none

@@ -19,6 +19,9 @@ int PlainWatershed::run(const Frame& frame, const Parameters& parameters, Mat& l
     CV_TRACE_FUNCTION();
     const int alpha = parameters.alphaWeight();
     int num_superpixels = frame.num_superpixels;
+    Mat last_labels;
+    if (frame.follows)
+        extractLabels(nodes_, last_labels);
     computeGradient(frame.color, frame.depth, alpha, gray_, gradient_);
     makeNodes(frame.color, frame.depth, nodes_);
     if (!frame.mask.empty())
@@ -30,7 +33,9 @@ int PlainWatershed::run(const Frame& frame, const Parameters& parameters, Mat& l
         labelMarkers(frame.markers, nodes_);
     else
     {
-        if (frame.mask.empty())
+        if (frame.follows)
+            followMarkers(gradient_, last_labels, !frame.mask.empty(), markers_);
+        else if (frame.mask.empty())
             placeMarkers(gradient_, num_superpixels, markers_);
         else
             placeMarkers(gradient_, frame.mask, num_superpixels, markers_);

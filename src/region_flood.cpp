@@ -166,17 +166,21 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
                      Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    std::vector<int>& seeds = buffers.seeds;
-    seeds.resize(markers.size());
-    regions.clear(int(markers.size()));
-    for (int i = 0; i < regions.size(); i++)
+    const int first = regions.size();
+    buffers.seeds.resize(markers.size());
+    buffers.centers.assign(first, Point());
+    buffers.centers.insert(buffers.centers.end(), markers.begin(), markers.end());
+    regions.resize(first + int(markers.size()));
+    for (int i = 0; i < int(markers.size()); i++)
     {
-        seeds[i] = labels.index(markers[i]);
-        labels.data()[seeds[i]] = i;
-        regions.sums[i].add(features.data()[seeds[i]]);
-        regions.update(i);
+        const int seed = labels.index(markers[i]);
+        buffers.seeds[i] = seed;
+        labels.data()[seed] = first + i;
+        regions.sums[first + i] = RegionSum();
+        regions.sums[first + i].add(features.data()[seed]);
+        regions.update(first + i);
     }
-    RegionFlood(features, markers, distance, ruler, buffers, labels, regions).run(seeds);
+    RegionFlood(features, buffers.centers, distance, ruler, buffers, labels, regions).run(buffers.seeds);
     regions.update();
 }
 

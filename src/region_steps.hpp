@@ -35,7 +35,8 @@ struct FloodBuffers
     std::vector<ushort> heights; // at which a node waits
 };
 
-//! Floods the UNSEEN pixels from the markers; marker i grows the region i. (region_flood.cpp)
+//! Floods the UNSEEN pixels from the markers; each grows a new region behind those that are there.
+//! (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
 void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
                      const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
@@ -57,6 +58,17 @@ struct MergePair
 //! length_exponent, in 1/16, is how much a long common boundary counts.
 void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
                          std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions);
+
+//! Labels for the groups of regions that were merged. parents name the region that took each one in, areas are
+//! from before, and names are the labels that they had: the first num_kept still have them, the others lie
+//! where these were. A group keeps the label of the largest of the former, or else of the latter if it is free, or
+//! else gets a free one. There are as many labels as groups. (follow.cpp)
+void nameGroups(const std::vector<int>& parents, const std::vector<int>& areas, const std::vector<int>& names,
+                int num_kept, std::vector<int>& labels);
+
+//! Sum of the squared distances of the pixels of each region to its mean, in squared levels. (follow.cpp)
+void measureErrors(const Padded<Feature>& features, const RegionDistance& distance, const Padded<int>& labels,
+                   const Regions& regions, std::vector<int64>& errors);
 
 //! Labels of blocks of 2x2 pixels to the pixels. (region_labels.cpp)
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);

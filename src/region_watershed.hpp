@@ -32,6 +32,8 @@ private:
     enum { MAX_LEVEL = 2 }; //!< blocks of 2^level pixels are flooded
 
     void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
+    bool follow(const Frame& frame, int level, int length_price, const Parameters& parameters);
+    void renew(int level, const std::vector<uchar>& changed, const Parameters& parameters);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
     void sweep(int level, int count, int length_price, const RegionDistance& distance, const Frame& frame,
@@ -44,6 +46,8 @@ private:
     std::vector<Point> markers_;
     Regions regions_;
     std::vector<int> boundary_;
+    int top_ = 0;               // level of the last flood
+    std::vector<int64> errors_; // of the regions there, when each of them was made
     FloodBuffers flood_buffers_;
     std::vector<MergePair> merge_buffer_;
     SweepBuffers sweep_buffers_;

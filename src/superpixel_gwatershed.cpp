@@ -155,7 +155,10 @@ public:
     void setMask(InputArray mask) CV_OVERRIDE
     {
         const Mat checked = gws::checkMask(mask);
+        const Mat before = mask_;
         mask_ = checked.empty() ? Mat() : Mat(checked != 0);
+        if (before.size() != mask_.size() || (!mask_.empty() && countNonZero(before != mask_) > 0))
+            last_ = Last();
     }
     void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
 
@@ -171,6 +174,8 @@ public:
     float getAlpha() const CV_OVERRIDE { return parameters_.alpha; }
     void setUniformColor(bool uniform) CV_OVERRIDE { parameters_.uniform_color = uniform; }
     bool getUniformColor() const CV_OVERRIDE { return parameters_.uniform_color; }
+    void setTemporal(bool temporal) CV_OVERRIDE { parameters_.temporal = temporal; }
+    bool getTemporal() const CV_OVERRIDE { return parameters_.temporal; }
     void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
     float getNearDepth() const CV_OVERRIDE { return parameters_.near_depth; }
     float getFarDepth() const CV_OVERRIDE { return parameters_.far_depth; }
@@ -207,10 +212,26 @@ private:
         }
     }
 
-    //! Copies a table to an output, if that is wanted; a table without rows, too, has its columns and type.
+    //! What the next frame must have in common with the last one to go on from it in temporal mode.
+    struct Last
+    {
+        int algorithm = 0; // 0: there is nothing to go on from
+        Size size;
+        int num_superpixels = 0;
+
+        bool operator==(const Last& other) const
+        {
+            return algorithm == other.algorithm && size == other.size && num_superpixels == other.num_superpixels;
+        }
+    };
+
+    //! Copies a table to an output, if that is wanted. Without rows, too, it has its columns and its type.
     static void give(const Mat& table, OutputArray output)
     {
-        if (output.needed())
+        if (!output.needed())
+            return;
+        output.create(table.size(), table.type());
+        if (!table.empty())
             table.copyTo(output);
     }
 
@@ -233,16 +254,18 @@ private:
         checkMaps(image.size());
         segmented_ = false;
         num_labels_ = 0;
+        const Last last = last_;
+        last_ = Last();
         hierarchy_ = gws::MergeHierarchy();
         if (!complete_)
             region_guided_ = gws::RegionWatershed();
         complete_ = false;
-        guardMemory([&]() { segmentInside(image, depth, num_iterations); });
+        guardMemory([&]() { segmentInside(image, depth, num_iterations, last); });
         complete_ = segmented_ = true;
     }
 
     //! Segments the bounding box of the mask.
-    void segmentInside(const Mat& image, const Mat& depth, int num_iterations)
+    void segmentInside(const Mat& image, const Mat& depth, int num_iterations, const Last& last)
     {
         bounds_ = mask_.empty() ? Rect(Point(), image.size()) : gws::findBounds(mask_);
         const bool whole = bounds_.size() == image.size();
@@ -256,8 +279,16 @@ private:
             makeFrame(image, depth, frame);
         if (!bounds_.empty() && frame.num_superpixels > 0)
         {
+            Last now;
+            now.algorithm = parameters_.algorithm;
+            now.size = image.size();
+            now.num_superpixels = frame.num_superpixels;
+            const bool temporal = parameters_.temporal && markers_.empty();
+            frame.follows = temporal && now == last;
             num_labels_ = has_lines_ ? plain_.run(frame, parameters_, part)
                                      : region_guided_.run(frame, parameters_, num_iterations, part);
+            if (temporal)
+                last_ = now;
             if (!frame.mask.empty())
                 max(part, Scalar(-1), part);
         }
@@ -312,6 +343,7 @@ private:
     Rect bounds_;          // of the mask; outside of it all labels are -1
     bool has_lines_ = false; // the segmentation is by GWATERSHED
     gws::MergeHierarchy hierarchy_;
+    Last last_;
 
     // The algorithms, and buffers that stay from one image to the next.
     gws::PlainWatershed plain_;

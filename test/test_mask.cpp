@@ -112,6 +112,10 @@ TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
     EXPECT_TRUE(stats.empty() && centroids.empty() && colors.empty());
     gws->getAdjacency(image, noArray(), pairs, lengths, heights);
     EXPECT_TRUE(pairs.empty() && lengths.empty() && heights.empty());
+    EXPECT_EQ(CV_32SC1, pairs.type());
+    EXPECT_EQ(CV_32FC1, heights.type());
+    EXPECT_EQ(5, stats.cols);
+    EXPECT_EQ(CV_64FC1, centroids.type());
     gws->enforceLabelConnectivity();
     gws->mergeSimilar(3);
     EXPECT_EQ(0, gws->getNumberOfSuperpixels());

@@ -338,6 +338,21 @@ public:
     //! @see setUniformColor
     CV_WRAP virtual bool getUniformColor() const = 0;
 
+    /** @brief Sets whether superpixels keep their labels from frame to frame.
+    @param temporal If true, each iterate() of an image goes on from the segmentation of the last one: a
+    superpixel has the same label as long as it can be followed, over motions of a few pixels
+    from frame to frame. For RGWATERSHED, the boundaries move to where things are now; superpixels that
+    explain the image much worse than when they were made are made anew, as many as before, and their
+    labels go to new ones, so N stays what it was. If half of the image has changed, all start anew. For
+    GWATERSHED, each marker moves to the middle of its last region; those of regions that have all but vanished
+    move into the largest ones. A frame of another size, mask or number of superpixels, or with markers of
+    the user, starts anew, and so does the first one after clear(). If false, the default, each frame is segmented by itself.
+    @note Merging, by mergeSimilar() or enforceLabelConnectivity(), numbers labels anew for one frame; the next
+    frame goes on from what iterate() gave. */
+    CV_WRAP virtual void setTemporal(bool temporal) = 0;
+    //! @see setTemporal
+    CV_WRAP virtual bool getTemporal() const = 0;
+
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
     A range makes the scale the same for every frame. CV_8UC1 depth is taken as it is.

@@ -1,0 +1,245 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// setTemporal(): superpixels keep their labels from frame to frame.
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_temporal;
+
+Ptr<SuperpixelGWatershed> createTemporal(Size size, int algorithm, int num_superpixels, bool temporal = true)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, num_superpixels);
+    gws->setAlgorithm(algorithm);
+    gws->setTemporal(temporal);
+    return gws;
+}
+
+Mat segmentAnew(const Mat& image, int algorithm, int num_superpixels)
+{
+    Ptr<SuperpixelGWatershed> gws = createTemporal(image.size(), algorithm, num_superpixels, false);
+    gws->iterate(image);
+    return labelsOf(gws);
+}
+
+Mat addNoise(const Mat& image, RNG& rng)
+{
+    Mat noise(image.size(), CV_16SC3), sum;
+    rng.fill(noise, RNG::NORMAL, 0, 3);
+    cv::add(image, noise, sum, noArray(), CV_8U);
+    return sum;
+}
+
+//! Share of the pixels that have the same label in the last frame and, moved, in this one.
+double shareKept(const Mat& last, const Mat& now, Point motion)
+{
+    int kept = 0, all = 0;
+    for (int y = 0; y < last.rows; y++)
+        for (int x = 0; x < last.cols; x++)
+        {
+            const Point p = Point(x, y) + motion;
+            if (!Rect(Point(), now.size()).contains(p))
+                continue;
+            kept += last.at<int>(y, x) == now.at<int>(p);
+            all++;
+        }
+    return double(kept) / all;
+}
+
+//! Mean share over a camera that moves over a noisy scene.
+double shareKeptWhileMoving(int algorithm, bool temporal, Point motion, RNG& rng)
+{
+    const Size size(200, 150);
+    const Mat scene = makeScene(Size(300, 260), rng);
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, algorithm, 120, temporal);
+    double sum = 0;
+    Mat last;
+    const int frames = 8;
+    for (int i = 0; i <= frames; i++)
+    {
+        const Mat frame = addNoise(scene(Rect(Point(60, 60) - i * motion, size)), rng);
+        gws->iterate(frame);
+        const Mat labels = labelsOf(gws);
+        expectPartition(labels, size, 120);
+        if (i > 0)
+            sum += shareKept(last, labels, motion);
+        last = labels;
+    }
+    return sum / frames;
+}
+
+TEST_P(ximgproc_GWatershed_temporal, labels_stay_with_what_moves)
+{
+    const Point motions[] = { Point(0, 0), Point(1, 0), Point(-2, 3), Point(4, -4) };
+    const double expected[2][4] = { { 0.75, 0.7, 0.6, 0.45 }, { 0.93, 0.7, 0.5, 0.42 } };
+    for (int i = 0; i < 4; i++)
+    {
+        RNG& rng = theRNG();
+        const double with = shareKeptWhileMoving(GetParam(), true, motions[i], rng);
+        const double without = shareKeptWhileMoving(GetParam(), false, motions[i], rng);
+        EXPECT_GT(with, expected[GetParam() == RGWATERSHED][i]) << motions[i];
+        const bool follows = i < 3 || GetParam() == RGWATERSHED; // GWATERSHED does not follow larger motions
+        EXPECT_TRUE(!follows || with > without + 0.03) << motions[i] << ": " << with << ", " << without;
+    }
+}
+
+TEST_P(ximgproc_GWatershed_temporal, explains_a_stream_as_well_as_each_frame_by_itself)
+{
+    RNG& rng = theRNG();
+    const Size size(200, 150);
+    const Mat scene = makeScene(Size(320, 270), rng);
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, GetParam(), 150);
+    double with = 0, without = 0;
+    for (int i = 0; i < 20; i++)
+    {
+        const Mat frame = addNoise(scene(Rect(Point(6 * i, 5 * i), size)), rng);
+        gws->iterate(frame);
+        with += explainedVariation(labelsOf(gws), frame) / 20;
+        without += explainedVariation(segmentAnew(frame, GetParam(), 150), frame) / 20;
+    }
+    EXPECT_GT(with, without - 0.02);
+}
+
+TEST_P(ximgproc_GWatershed_temporal, starts_anew_where_there_is_nothing_to_follow)
+{
+    RNG& rng = theRNG();
+    const Size size(120, 90), other(130, 70);
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, GetParam(), 80);
+    const Mat first = makeScene(size, rng), mask = makeMask(DISCS, size, rng);
+    gws->iterate(first);
+    EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 80), labelsOf(gws)));
+
+    const Mat of_other_size = makeScene(other, rng);
+    gws->iterate(of_other_size);
+    EXPECT_TRUE(equalMats(segmentAnew(of_other_size, GetParam(), 80), labelsOf(gws)));
+
+    gws->iterate(first);
+    gws->setNumSuperpixels(50);
+    gws->iterate(first);
+    EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 50), labelsOf(gws)));
+
+    gws->setMask(mask);
+    gws->iterate(first);
+    EXPECT_EQ(0, countNonZero((labelsOf(gws) >= 0) != (mask != 0)));
+    gws->setMask(noArray());
+    gws->iterate(first);
+    EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 50), labelsOf(gws)));
+
+    Mat markers = Mat::zeros(size, CV_32SC1);
+    markers.at<int>(10, 10) = markers.at<int>(50, 60) = 3;
+    gws->setMarkers(markers);
+    gws->iterate(first);
+    EXPECT_EQ(1, gws->getNumberOfSuperpixels());
+    gws->setMarkers(noArray());
+    gws->iterate(first);
+    EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 50), labelsOf(gws)));
+
+    gws->clear();
+    gws->iterate(first);
+    EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 50), labelsOf(gws)));
+
+    gws->setTemporal(false);
+    const Mat second = makeScene(size, rng);
+    gws->iterate(second);
+    EXPECT_TRUE(equalMats(segmentAnew(second, GetParam(), 50), labelsOf(gws)));
+}
+
+TEST_P(ximgproc_GWatershed_temporal, any_stream_gives_partitions)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 30; i++)
+    {
+        const Size size(rng.uniform(1, 140), rng.uniform(1, 100));
+        const int wanted = rng.uniform(1, 2 + size.area() / rng.uniform(1, 100)), n = std::min(wanted, size.area());
+        Ptr<SuperpixelGWatershed> gws = createTemporal(size, GetParam(), wanted);
+        const Mat mask = i % 3 ? Mat() : makeMask(MaskKind(i / 3 % MASK_KINDS), size, rng);
+        gws->setMask(mask);
+        int first = -1;
+        for (int k = 0; k < 6; k++)
+        {
+            Mat image = makeImage(ImageKind(rng.uniform(0, int(IMAGE_KINDS))), size, k % 4 ? 3 : 1, rng);
+            if (k % 2)
+                gws->iterate(image, makeDepth(size, 0.3, rng), 1 + k % 3);
+            else
+                gws->iterate(image);
+            if (mask.empty())
+                ASSERT_NO_FATAL_FAILURE(expectPartition(labelsOf(gws), size, n));
+            else
+                ASSERT_NO_FATAL_FAILURE(expectMaskedPartition(labelsOf(gws), mask, gws->getNumberOfSuperpixels()));
+            if (first < 0)
+                first = gws->getNumberOfSuperpixels();
+            EXPECT_EQ(first, gws->getNumberOfSuperpixels());
+        }
+    }
+}
+
+TEST_P(ximgproc_GWatershed_temporal, is_not_disturbed_by_merging_and_threads)
+{
+    RNG& rng = theRNG();
+    const Size size(150, 110);
+    std::vector<Mat> frames;
+    const Mat scene = makeScene(Size(180, 140), rng);
+    for (int i = 0; i < 6; i++)
+        frames.push_back(addNoise(scene(Rect(Point(3 * i, 2 * i), size)), rng));
+    Ptr<SuperpixelGWatershed> plain = createTemporal(size, GetParam(), 200);
+    Ptr<SuperpixelGWatershed> merged = createTemporal(size, GetParam(), 200);
+    for (int i = 0; i < 6; i++)
+    {
+        plain->iterate(frames[i]);
+        ThreadsGuard guard(1 + i);
+        merged->iterate(frames[i]);
+        EXPECT_TRUE(equalMats(labelsOf(plain), labelsOf(merged))) << "frame " << i;
+        merged->enforceLabelConnectivity(50);
+        merged->mergeSimilar(20);
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, GWATERSHED_ALGORITHMS);
+
+TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_are_as_good_after_a_cut)
+{
+    const Size size(160, 120);
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 100);
+    for (int i = 0; i < 20; i++)
+    {
+        const Mat scene = makeScene(size, theRNG());
+        gws->iterate(scene);
+        EXPECT_GT(explainedVariation(labelsOf(gws), scene),
+                  explainedVariation(segmentAnew(scene, RGWATERSHED, 100), scene) - 0.01) << "scene " << i;
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_appear_where_a_thing_does)
+{
+    RNG& rng = theRNG();
+    const Size size(240, 180);
+    Mat before(size, CV_8UC3, Scalar(60, 90, 120)), after;
+    rectangle(before, Rect(20, 30, 60, 50), Scalar(150, 40, 70), FILLED);
+    before = addNoise(before, rng);
+    after = before.clone();
+    Mat thing = Mat::zeros(size, CV_8UC1);
+    circle(thing, Point(150, 100), 25, Scalar(255), FILLED);
+    after.setTo(Scalar(40, 200, 210), thing);
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 100);
+    gws->iterate(before);
+    const Mat labels = labelsOf(gws);
+    gws->iterate(after);
+    Mat appeared = labelsOf(gws), far = Mat::zeros(size, CV_8UC1);
+    expectPartition(appeared, size, 100);
+    int crossing = 0; // pixels of superpixels on the wrong side of the edge of the thing
+    for (int i = 0; i < 100; i++)
+    {
+        const int inside = countNonZero((appeared == i) & thing), outside = countNonZero((appeared == i) & (thing == 0));
+        crossing += std::min(inside, outside);
+    }
+    EXPECT_LT(crossing, 40); // of 1963
+    far.colRange(0, 100).setTo(Scalar(255)); // there, nothing has happened
+    EXPECT_LT(countNonZero((labels != appeared) & far), 0.1 * countNonZero(far));
+    gws->iterate(before);
+    expectPartition(labelsOf(gws), size, 100);
+}
+
+}} // namespace
