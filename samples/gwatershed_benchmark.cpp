@@ -58,7 +58,8 @@ static double side(const Mat& image, int k)
     return std::sqrt(double(image.total()) / k);
 }
 
-static Mat segmentByGWatershed(const Mat& image, const Mat& depth, int k, int algorithm, float ruler, int iterations)
+static Ptr<SuperpixelGWatershed> runGWatershed(const Mat& image, const Mat& depth, int k, int algorithm, float ruler,
+                                               int iterations)
 {
     Ptr<SuperpixelGWatershed> gws =
             createSuperpixelGWatershed(image.cols, image.rows, image.channels(), k, algorithm, ruler);
@@ -66,6 +67,11 @@ static Mat segmentByGWatershed(const Mat& image, const Mat& depth, int k, int al
         gws->iterate(image, iterations);
     else
         gws->iterate(image, depth, iterations);
+    return gws;
+}
+
+static Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws)
+{
     Mat labels;
     gws->getLabels(labels);
     return labels;
@@ -158,7 +164,19 @@ static Method gwatershed(const String& name, int algorithm, float ruler, int ite
 {
     const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
     {
-        return segmentByGWatershed(image, depth, k, algorithm, ruler, iterations);
+        return labelsOf(runGWatershed(image, depth, k, algorithm, ruler, iterations));
+    } };
+    return method;
+}
+
+//! Segments into more superpixels than asked for, and merges the most similar ones.
+static Method mergedGWatershed(const String& name, int algorithm, int from)
+{
+    const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
+    {
+        const Ptr<SuperpixelGWatershed> gws = runGWatershed(image, depth, std::max(from, k), algorithm, 10, 1);
+        gws->mergeSimilar(k);
+        return labelsOf(gws);
     } };
     return method;
 }
@@ -176,6 +194,8 @@ static std::vector<Method> allMethods()
     methods.push_back(gwatershed("RGWATERSHED 4 iterations", RGWATERSHED, 10, 4));
     methods.push_back(gwatershed("RGWATERSHED ruler 1 8 iterations", RGWATERSHED, 1, 8));
     methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
+    methods.push_back(mergedGWatershed("merged from 1600 RGWATERSHED", RGWATERSHED, 1600));
+    methods.push_back(mergedGWatershed("merged from 1600 GWATERSHED", GWATERSHED, 1600));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
     methods.push_back(peer("SLICO", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLICO); }));

@@ -38,22 +38,13 @@ static Mat drawContours(const Mat& image, const SuperpixelGWatershed& gws)
 
 static Mat drawMeans(const Mat& image, const SuperpixelGWatershed& gws)
 {
-    Mat labels, result(image.size(), CV_8UC3);
+    Mat labels, stats, centroids, means, result(image.size(), CV_8UC3);
     gws.getLabels(labels);
-    std::vector<Vec4d> sums(gws.getNumberOfSuperpixels(), Vec4d::all(0));
+    gws.getStatistics(image, noArray(), stats, centroids, means, noArray());
+    means.convertTo(means, CV_8U);
     for (int y = 0; y < image.rows; y++)
         for (int x = 0; x < image.cols; x++)
-        {
-            const Vec3b& pixel = image.at<Vec3b>(y, x);
-            sums[labels.at<int>(y, x)] += Vec4d(pixel[0], pixel[1], pixel[2], 1);
-        }
-    for (int y = 0; y < image.rows; y++)
-        for (int x = 0; x < image.cols; x++)
-        {
-            const Vec4d& sum = sums[labels.at<int>(y, x)];
-            for (int c = 0; c < 3; c++)
-                result.at<Vec3b>(y, x)[c] = saturate_cast<uchar>(sum[c] / sum[3]);
-        }
+            result.at<Vec3b>(y, x) = Vec3b(means.ptr(labels.at<int>(y, x)));
     return result;
 }
 
@@ -111,7 +102,7 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
 //! What the trackbars of the window hold.
 struct Settings
 {
-    int region_size, ruler, alpha_percent, iterations, mode;
+    int region_size, ruler, alpha_percent, iterations, temporal, mode;
 };
 
 static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Settings settings)
@@ -122,9 +113,11 @@ static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Setti
     createTrackbar("Ruler", window, &settings.ruler, 50);
     createTrackbar("Alpha %", window, &settings.alpha_percent, 100);
     createTrackbar("Iterations", window, &settings.iterations, 10);
+    createTrackbar("Temporal", window, &settings.temporal, 1);
     createTrackbar("Mode", window, &settings.mode, 2); // contours, means, labels
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1, 1, 3, 1);
-    std::cout << "Mode 0: contours, 1: mean colours, 2: labels. [q] or [esc] ends." << std::endl;
+    std::cout << "Mode 0: contours, 1: mean colours, 2: labels, which flicker less with Temporal 1. [q] or [esc] ends."
+              << std::endl;
     for (int key = 0; key != 'q' && key != 27; key = waitKey(10) & 255)
     {
         if (capture.isOpened() && !capture.read(image))
@@ -132,6 +125,7 @@ static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Setti
         gws->setRegionSize(std::max(1, settings.region_size));
         gws->setRuler(float(settings.ruler));
         gws->setAlpha(settings.alpha_percent / 100.f);
+        gws->setTemporal(settings.temporal != 0);
         TickMeter timer;
         timer.start();
         if (depth.empty())
@@ -196,7 +190,7 @@ int main(int argc, char** argv)
             std::cerr << "Cannot open the camera or video " << camera << std::endl;
             return 1;
         }
-        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations, 0 };
+        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations, 1, 0 };
         showWindow(image, depth, capture, settings);
     }
     catch (const cv::Exception& e)

@@ -15,11 +15,10 @@ import cv2 as cv
 import numpy as np
 
 
-def mean_colors(image, labels, number):
+def mean_colors(image, gws):
     """Each pixel gets the mean colour of its superpixel."""
-    area = np.bincount(labels.ravel(), minlength=number)
-    means = [np.bincount(labels.ravel(), image[:, :, c].ravel(), number) / area for c in range(3)]
-    return np.stack(means, axis=-1)[labels].round().astype(np.uint8)
+    means = gws.getStatistics(image, None)[2]
+    return means.round().astype(np.uint8)[gws.getLabels()]
 
 
 def parse_arguments():
@@ -61,7 +60,7 @@ def main():
     few = number <= 65536
     pictures = {
         "_contours.png": contours,
-        "_mean.png": mean_colors(image, labels, number),
+        "_mean.png": mean_colors(image, gws),
         "_labels.png" if few else "_labels.tiff": labels.astype(np.uint16) if few else labels,
     }
     for name, picture in pictures.items():

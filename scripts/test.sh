@@ -165,12 +165,47 @@ run_samples() {
         "${python_demo[@]}" "$data/home.jpg" -o "$results/home" -k 300
     run_sample "gwatershed_demo.py, RGB-D" "$results/aloe_py" \
         "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
+    check "saliency_filters" finds_saliency "$data"
+    check "gwatershed_polygons" finds_polygons "$data/fruits.jpg"
     # Labels of the demo serve as a ground truth.
     mkdir -p "$results/truth"
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
     check "gwatershed_benchmark" benchmark_finds_itself "$data/fruits.jpg"
     check "gwatershed_plot.py" sh -c '/usr/bin/python3 "$1" "$2.csv" -o "$2.png" | grep -q RGWATERSHED && [ -s "$2.png" ]' \
         sh "$root/samples/gwatershed_plot.py" "$results/benchmark"
+}
+
+# A picture of four rows, and a line for each image.
+finds_saliency() { # DATA
+    "$build/bin/example_gwatershed_saliency_filters" -i="$1/fruits.jpg,$1/aloeL.jpg" -d=",$1/aloeGT.png" \
+        -o="$results/saliency.png" >"$results/saliency.log" &&
+    grep -q 'fruits.jpg, 512x480: 400 superpixels' "$results/saliency.log" &&
+    grep -q 'aloeL.jpg, 1282x1110 with depth: 400 superpixels' "$results/saliency.log" &&
+    PYTHONPATH=$build/lib/python3 /usr/bin/python3 - "$results/saliency.png" <<'PYTHON'
+import sys
+import cv2
+picture = cv2.imread(sys.argv[1])
+assert picture.shape[0] == 4 * 244, picture.shape
+assert picture[-240:, :, 0].max() == 255, "nothing is salient"
+PYTHON
+}
+
+# The polygons of a superpixel, filled, are the superpixel: together they fill the image without overlap.
+finds_polygons() { # IMAGE
+    "$build/bin/example_gwatershed_gwatershed_polygons" -i="$1" -k=1600 -o="$results/polygons.json" |
+        grep -q '^1600 superpixels, [0-9]* polygons$' &&
+    PYTHONPATH=$build/lib/python3 /usr/bin/python3 - "$results/polygons.json" <<'PYTHON'
+import json, sys
+import cv2, numpy
+polygons = json.load(open(sys.argv[1]))
+filled = numpy.zeros((polygons["height"], polygons["width"]), numpy.uint8)
+for superpixel in polygons["superpixels"]:
+    one = numpy.zeros_like(filled)
+    cv2.fillPoly(one, [numpy.array(p["points"]).reshape(-1, 2) for p in superpixel["polygons"]], 1)
+    assert one.sum() == superpixel["area"]
+    filled += one
+assert (filled == 1).all()
+PYTHON
 }
 
 # The superpixels of the demo, measured against themselves, have no error.

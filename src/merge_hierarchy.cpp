@@ -8,7 +8,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found as those of RGWATERSHED; doc/log.md has the figures.
-static const int LENGTH_EXPONENT = 8, HEIGHT_EXPONENT = 8; // in 1/16
+static const int LENGTH_EXPONENT = 16, HEIGHT_EXPONENT = 8; // in 1/16
 
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
 struct FeatureHeight

@@ -101,10 +101,10 @@ void listBoundary(const Padded<int>& labels, std::vector<int>& boundary)
     {
         const int* row = labels.row(y);
         for (int x = 0; x < size.width; x++)
-            beside[x] = (row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
-                        (row[x - step] != row[x]) | (row[x + step] != row[x]);
+            beside[x] = ((row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
+                         (row[x - step] != row[x]) | (row[x + step] != row[x])) & (row[x] >= 0);
         for (int x = 0, p = labels.index(Point(0, y)); x < size.width; x++, p++)
-            if (beside[x] && row[x] != OUTSIDE)
+            if (beside[x])
                 boundary.push_back(p);
     }
 }

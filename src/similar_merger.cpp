@@ -53,9 +53,9 @@ int SimilarMerger::cost(int i, const RegionGraph::Boundary& boundary) const
     const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
     const int log_length = logarithm(boundary.length), length = log_length - std::min(log_a, log_b) / 2;
     const int64 distance = squaredDistance(regions_.means[i], regions_.means[boundary.neighbor]);
-    const int height = logarithm(boundary.height + 16 * int64(boundary.length)) - log_length;
-    const int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length +
-                    height_exponent_ * height;
+    int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length;
+    if (height_exponent_ > 0)
+        sum += height_exponent_ * (logarithm(boundary.height + 16 * int64(boundary.length)) - log_length);
     return std::min(std::max(sum >> 6, 0), COSTS - 1);
 }
 

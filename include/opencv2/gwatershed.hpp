@@ -204,7 +204,7 @@ public:
 
     The order is greedy: the pair of neighbours with the lowest cost goes next. The cost is Ward's
     criterion, as stepwise optimization @cite Beaulieu1989 uses it, with three changes found by
-    measurement: @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75} (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1/2} @f]
+    measurement: @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75} (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
     d is the distance of the mean colours and depths, in 8-bit levels and weighted by alpha, n the
     number of pixels, l the length of the common boundary and h the mean height along it: the mean
     distance of the pixels on both sides.

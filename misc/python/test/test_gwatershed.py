@@ -104,6 +104,88 @@ class gwatershed_test(NewOpenCVTests):
         gws.enforceLabelConnectivity(min_element_size=50)
         self.labels_of(gws)
 
+    def test_mask(self):
+        image = make_image()
+        mask = np.zeros(image.shape[:2], np.uint8)
+        mask[5:30, 10:50] = 1
+        mask[20:25, 20:30] = 0
+        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws.setMask(mask)
+        gws.iterate()
+        labels = gws.getLabels()
+        self.assertEqual(np.unique(labels).tolist(), list(range(-1, gws.getNumberOfSuperpixels())))
+        np.testing.assert_array_equal(labels >= 0, mask > 0)
+        gws.setMask(mask=None)
+        gws.iterate()
+        self.labels_of(gws)
+
+    def test_markers(self):
+        image = make_image()
+        markers = np.zeros(image.shape[:2], np.int32)
+        markers[3, 5:9], markers[40, 50], markers[0, 0] = 70000, 12, -1
+        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws.setMarkers(markers)
+        gws.iterate()
+        labels = self.labels_of(gws)
+        self.assertEqual(gws.getNumberOfSuperpixels(), 2)
+        self.assertEqual((labels[40, 50], labels[3, 5], labels[3, 8]), (0, 1, 1))
+
+    def test_statistics(self):
+        image, depth = make_image(), make_depth()
+        depth[10:20, 5:40] = 0
+        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws.iterate()
+        labels, number = gws.getLabels(), gws.getNumberOfSuperpixels()
+        stats, centroids, colors, depths = gws.getStatistics(image, depth)
+        self.assertEqual((stats.shape, stats.dtype), ((number, 5), np.int32))
+        self.assertEqual((centroids.shape, centroids.dtype), ((number, 2), np.float64))
+        self.assertEqual((colors.shape, colors.dtype), ((number, 3), np.float32))
+        self.assertEqual((depths.shape, depths.dtype), ((number, 1), np.float32))
+        for i in range(number):
+            y, x = np.nonzero(labels == i)
+            self.assertEqual(stats[i].tolist(), [x.min(), y.min(), np.ptp(x) + 1, np.ptp(y) + 1, len(x)])
+            np.testing.assert_allclose(centroids[i], [x.mean(), y.mean()])
+            np.testing.assert_allclose(colors[i], image[y, x].mean(axis=0), rtol=1e-5)
+            valid = depth[y, x][depth[y, x] > 0]
+            np.testing.assert_allclose(depths[i, 0], valid.mean() if len(valid) else np.nan, rtol=1e-5)
+        only_colors = gws.getStatistics(image=image, depth=None)
+        np.testing.assert_array_equal(only_colors[2], colors)
+
+    def test_adjacency(self):
+        image = make_image()
+        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws.iterate()
+        labels = gws.getLabels()
+        pairs, lengths, heights = gws.getAdjacency(image, None)
+        self.assertEqual((pairs.dtype, lengths.dtype, heights.dtype), (np.int32, np.int32, np.float32))
+        edges = np.concatenate([np.stack([labels[:, :-1].ravel(), labels[:, 1:].ravel()], 1),
+                                np.stack([labels[:-1].ravel(), labels[1:].ravel()], 1)])
+        edges = np.sort(edges[edges[:, 0] != edges[:, 1]], axis=1)
+        expected, counts = np.unique(edges, axis=0, return_counts=True)
+        np.testing.assert_array_equal(pairs, expected)
+        np.testing.assert_array_equal(lengths[:, 0], counts)
+
+    def test_merging(self):
+        gws = cv.ximgproc.createSuperpixelGWatershed(make_image(), region_size=6)
+        gws.iterate()
+        fine = gws.getLabels()
+        for number in (40, 10, 20):
+            gws.mergeSimilar(num_superpixels=number)
+            labels = self.labels_of(gws)
+            self.assertEqual(gws.getNumberOfSuperpixels(), number)
+            for i in range(fine.max() + 1):
+                self.assertEqual(len(np.unique(labels[fine == i])), 1)
+
+    def test_temporal(self):
+        image = make_image(120, 160)
+        gws = cv.ximgproc.createSuperpixelGWatershed(160, 120, 3, 60)
+        gws.setTemporal(temporal=True)
+        self.assertTrue(gws.getTemporal())
+        gws.iterate(image)
+        first = self.labels_of(gws)
+        gws.iterate(np.roll(image, 1, axis=1))
+        self.assertGreater(np.mean(self.labels_of(gws) == first), 0.7)
+
     def test_parameters(self):
         gws = cv.ximgproc.createSuperpixelGWatershed(make_image())
         gws.setAlgorithm(cv.ximgproc.GWATERSHED)
