@@ -51,12 +51,12 @@ void closeUnseen(Padded<int>& labels)
 int labelUnseen(int num_regions, Padded<int>& labels)
 {
     Mat map = labels.view(CV_32SC1), components;
-    const int count = connectedComponents(map == UNSEEN, components, 4, CV_32S) - 1;
-    if (count > 0)
-    {
-        components += Scalar(num_regions - 1);
-        components.copyTo(map, map == UNSEEN);
-    }
+    const Mat unseen = map == UNSEEN;
+    if (countNonZero(unseen) == 0)
+        return num_regions;
+    const int count = connectedComponents(unseen, components, 4, CV_32S) - 1;
+    components += Scalar(num_regions - 1);
+    components.copyTo(map, unseen);
     return num_regions + count;
 }
 
