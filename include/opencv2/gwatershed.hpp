@@ -69,7 +69,8 @@ to the most similar neighbour at the end.
 one 4-connected component. Labels are in the order of the
 cells of the grid of markers. The result depends on the
 image, the depth and the parameters only: it is the same for any number of threads, in every run,
-and for a submatrix and its clone.
+and for a submatrix and its clone. setMask(), setMarkers() and setTemporal() say what else is possible:
+pixels without a label, which are -1, markers of the user, and labels that stay from frame to frame.
 
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
 ignored), as Mat or UMat. White is 255, 65535 or 1.0; NaN and infinity count as black. The image is brought to 8 bits; stretch one
@@ -93,7 +94,8 @@ same time; one object can not, except for its const methods.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws and changes
 nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
-factory and the buffers; the parameters stay. empty() tells whether there is no segmentation.
+factory, the mask, the markers and the buffers; the parameters stay. empty() tells whether there is no
+segmentation.
 
 **Cost.** Time and memory are linear in the number of pixels; merging adds a few microseconds for each
 superpixel, most of the time where superpixels are smaller than about 10x10 pixels. Buffers of the
@@ -105,14 +107,14 @@ public:
     /** @brief Number of superpixels N of the current segmentation, 0 before the first iterate().
 
     N is the number of superpixels asked for, or the number of pixels where that is smaller, until
-    enforceLabelConnectivity() merges some.
+    enforceLabelConnectivity() or mergeSimilar() merges some. See also setMask() and setMarkers().
     */
     CV_WRAP virtual int getNumberOfSuperpixels() const = 0;
 
     /** @brief Segments the image, and depth, that were given to the factory.
 
     The image is the copy made by the factory; iterate() of another image does not replace it.
-    Each call starts anew with the current parameters.
+    Each call starts anew with the current parameters, unless setTemporal() says otherwise.
 
     @param num_iterations 1 or more. For RGWATERSHED, each iteration after the first moves boundary
     pixels where that explains the colours of the image better, so explained variation never falls;
@@ -142,8 +144,8 @@ public:
 
     /** @brief Returns a copy of the label map.
 
-    @param labels_out CV_32SC1 map of the size of the image; values in [0, N). See
-    getNumberOfSuperpixels(). It is allocated as needed, whatever it was before.
+    @param labels_out CV_32SC1 map of the size of the image; values in [0, N), -1 outside of a mask and where
+    no marker of the user reaches. It is allocated as needed, whatever it was before.
 
     Throws cv::Exception before the first iterate().
     */
@@ -155,7 +157,7 @@ public:
     @param thick_line If true, a pixel is on a contour when any of its 4 neighbours has another
     label: lines of two pixels. If false, when its right or lower neighbour has: lines of one
     pixel, part of the thick ones. Either way every pair of neighbours with different labels has
-    a contour pixel.
+    a contour pixel. Beside pixels without a label there is no contour, as at the border of the image.
 
     Throws cv::Exception before the first iterate().
     */
@@ -178,7 +180,7 @@ public:
     order; N falls.
 
     @param min_element_size Smallest area allowed, in percent of the mean area (number of pixels
-    over N), in [0, 100]. 0 merges nothing.
+    over N), in [0, 100]. 0 merges nothing. A superpixel without a neighbour stays as it is.
 
     Throws cv::Exception before the first iterate().
     */
