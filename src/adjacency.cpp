@@ -21,37 +21,28 @@ struct PixelHeight
 
 static bool comesFirst(const RegionGraph::Boundary& a, const RegionGraph::Boundary& b)
 {
-    return a.neighbor < b.neighbor;
+    return a.regions[0] < b.regions[0] || (a.regions[0] == b.regions[0] && a.regions[1] < b.regions[1]);
 }
 
-//! The boundaries of each region with those of larger labels, in order.
-static void listPairs(const RegionGraph& graph, int num_labels, bool with_heights, Mat& pairs, Mat& lengths,
-                      Mat& heights)
+static void listPairs(const RegionGraph& graph, bool with_heights, Mat& pairs, Mat& lengths, Mat& heights)
 {
-    int count = 0;
-    for (int i = 0; i < num_labels; i++)
-        count += int(graph.boundaries(i).size());
-    count /= 2; // each one is known on both sides
+    std::vector<RegionGraph::Boundary> sorted(graph.boundaries());
+    const int count = int(sorted.size());
+    for (int i = 0; i < count; i++)
+        if (sorted[i].regions[1] < sorted[i].regions[0])
+            std::swap(sorted[i].regions[0], sorted[i].regions[1]);
+    std::sort(sorted.begin(), sorted.end(), comesFirst);
+
     pairs.create(count, 2, CV_32SC1);
     lengths.create(count, 1, CV_32SC1);
     heights.create(with_heights ? count : 0, 1, CV_32FC1);
-
-    int row = 0;
-    for (int i = 0; i < num_labels; i++)
+    for (int i = 0; i < count; i++)
     {
-        std::vector<RegionGraph::Boundary> sorted = graph.boundaries(i);
-        std::sort(sorted.begin(), sorted.end(), comesFirst);
-        for (size_t j = 0; j < sorted.size(); j++)
-        {
-            if (sorted[j].neighbor < i)
-                continue;
-            pairs.at<int>(row, 0) = i;
-            pairs.at<int>(row, 1) = sorted[j].neighbor;
-            lengths.at<int>(row) = sorted[j].length;
-            if (with_heights)
-                heights.at<float>(row) = float(double(sorted[j].height) / sorted[j].length);
-            row++;
-        }
+        pairs.at<int>(i, 0) = sorted[i].regions[0];
+        pairs.at<int>(i, 1) = sorted[i].regions[1];
+        lengths.at<int>(i) = sorted[i].length;
+        if (with_heights)
+            heights.at<float>(i) = float(double(sorted[i].height) / sorted[i].length);
     }
 }
 
@@ -59,7 +50,8 @@ void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Ma
                    Mat& lengths, Mat& heights)
 {
     CV_TRACE_FUNCTION();
-    RegionGraph graph(num_labels);
+    RegionGraph graph;
+    graph.reset(num_labels);
     if (color.empty())
         addBoundaries(labels, NoHeight(), graph);
     else
@@ -69,7 +61,7 @@ void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Ma
         const PixelHeight height = { nodes, alpha };
         addBoundaries(labels, height, graph);
     }
-    listPairs(graph, num_labels, !color.empty(), pairs, lengths, heights);
+    listPairs(graph, !color.empty(), pairs, lengths, heights);
 }
 
 }}} // namespace

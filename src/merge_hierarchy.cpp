@@ -34,8 +34,8 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     Regions regions;
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
-    std::vector<MergePair> pairs;
-    SimilarMerger merger(distance, LENGTH_EXPONENT, HEIGHT_EXPONENT, pairs, regions);
+    MergeBuffers buffers;
+    SimilarMerger merger(distance, LENGTH_EXPONENT, HEIGHT_EXPONENT, buffers, regions);
     const FeatureHeight height = { features, distance };
     addBoundaries(labels, height, merger.graph());
     merger.run(1);

@@ -7,12 +7,12 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
-                         std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions)
+                         MergeBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     if (regions.size() <= num_regions)
         return;
-    SimilarMerger merger(distance, length_exponent, 0, buffer, regions);
+    SimilarMerger merger(distance, length_exponent, 0, buffers, regions);
     Mat map = labels.view(CV_32SC1);
     addBoundaries(map, NoHeight(), merger.graph());
     merger.run(num_regions);

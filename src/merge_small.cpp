@@ -9,17 +9,18 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The neighbour with the longest common boundary; of equal ones the first label.
-static int closestNeighbor(const std::vector<RegionGraph::Boundary>& boundaries)
+//! The neighbour with the longest common boundary; of equal ones the first label. NONE if there is none.
+static int closestNeighbor(RegionGraph& graph, int region)
 {
-    int closest = -1, longest = 0;
-    for (size_t i = 0; i < boundaries.size(); i++)
+    int closest = RegionGraph::NONE, longest = 0;
+    for (int i = graph.first(region); i != RegionGraph::NONE; i = graph.next(region, i))
     {
-        const RegionGraph::Boundary& b = boundaries[i];
-        if (b.length > longest || (b.length == longest && b.neighbor < closest))
+        const RegionGraph::Boundary& b = graph.boundaries()[i];
+        const int neighbor = b.regions[!b.side(region)];
+        if (b.length > longest || (b.length == longest && neighbor < closest))
         {
             longest = b.length;
-            closest = b.neighbor;
+            closest = neighbor;
         }
     }
     return closest;
@@ -28,8 +29,9 @@ static int closestNeighbor(const std::vector<RegionGraph::Boundary>& boundaries)
 int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
 {
     CV_TRACE_FUNCTION();
-    RegionGraph graph(num_labels);
-    std::vector<int> areas(num_labels, 0), numbers;
+    RegionGraph graph;
+    graph.reset(num_labels);
+    std::vector<int> areas(num_labels, 0), numbers, joined;
     addBoundaries(labels, NoHeight(), graph);
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -42,12 +44,12 @@ int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
             small.insert(std::make_pair(areas[i], i));
     while (!small.empty())
     {
-        const int from = small.begin()->second, to = closestNeighbor(graph.boundaries(from));
+        const int from = small.begin()->second, to = closestNeighbor(graph, from);
         small.erase(small.begin());
-        if (to < 0)
+        if (to == RegionGraph::NONE)
             continue; // it has no neighbour
         small.erase(std::make_pair(areas[to], to));
-        graph.unite(from, to);
+        graph.unite(from, to, joined);
         areas[to] += areas[from];
         if (areas[to] < min_area)
             small.insert(std::make_pair(areas[to], to));

@@ -6,52 +6,93 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Regions have few neighbours: looking through them is faster than any map.
-RegionGraph::Boundary* RegionGraph::find(std::vector<Boundary>& boundaries, int neighbor)
+void RegionGraph::reset(int num_regions)
 {
-    for (size_t i = 0; i < boundaries.size(); i++)
-        if (boundaries[i].neighbor == neighbor)
-            return &boundaries[i];
-    return 0;
+    const int USUAL_BOUNDARIES = 3; // for each region
+    boundaries_.clear();
+    boundaries_.reserve(size_t(num_regions) * USUAL_BOUNDARIES);
+    firsts_.assign(num_regions, int(NONE));
+    degrees_.assign(num_regions, 0);
+    parents_.resize(num_regions);
+    for (int i = 0; i < num_regions; i++)
+        parents_[i] = i;
 }
 
-void RegionGraph::add(int region, const Boundary& boundary)
+//! Takes the boundaries that are no more out of the list of a region, from a link on.
+int RegionGraph::skipGone(int region, int& link)
 {
-    if (Boundary* known = find(boundaries_[region], boundary.neighbor))
+    while (link != NONE && !boundaries_[link].exists())
     {
-        known->length += boundary.length;
-        known->height += boundary.height;
+        link = boundaries_[link].next[boundaries_[link].side(region)];
+        degrees_[region]--;
     }
-    else
-        boundaries_[region].push_back(boundary);
+    return link;
 }
 
-void RegionGraph::remove(int region, int neighbor)
+int RegionGraph::first(int region)
 {
-    Boundary* boundary = find(boundaries_[region], neighbor);
-    *boundary = boundaries_[region].back();
-    boundaries_[region].pop_back();
+    return skipGone(region, firsts_[region]);
 }
 
-void RegionGraph::addEdges(int a, int b, int count, int64 height)
+int RegionGraph::next(int region, int boundary)
 {
-    const Boundary to_b = { b, count, height }, to_a = { a, count, height };
-    add(a, to_b);
-    add(b, to_a);
+    Boundary& b = boundaries_[boundary];
+    return skipGone(region, b.next[b.side(region)]);
 }
 
-void RegionGraph::unite(int from, int to)
+//! Looks through the shorter one of the lists.
+int RegionGraph::find(int a, int b)
 {
-    std::vector<Boundary> moved;
-    moved.swap(boundaries_[from]);
-    for (size_t i = 0; i < moved.size(); i++)
+    if (degrees_[b] < degrees_[a])
+        std::swap(a, b);
+    for (int i = first(a); i != NONE; i = next(a, i))
+        if (boundaries_[i].regions[!boundaries_[i].side(a)] == b)
+            return i;
+    return NONE;
+}
+
+void RegionGraph::add(int a, int b, int length, int64 height)
+{
+    const int known = find(a, b);
+    if (known != NONE)
     {
-        remove(moved[i].neighbor, from);
-        if (moved[i].neighbor == to)
-            continue;
-        add(to, moved[i]);
-        const Boundary back = { to, moved[i].length, moved[i].height };
-        add(moved[i].neighbor, back);
+        boundaries_[known].length += length;
+        boundaries_[known].height += height;
+        return;
+    }
+    const Boundary boundary = { { a, b }, { firsts_[a], firsts_[b] }, length, height };
+    firsts_[a] = firsts_[b] = int(boundaries_.size());
+    degrees_[a]++;
+    degrees_[b]++;
+    boundaries_.push_back(boundary);
+}
+
+void RegionGraph::unite(int from, int to, std::vector<int>& joined)
+{
+    joined.clear();
+    for (int i = first(from); i != NONE;)
+    {
+        Boundary& boundary = boundaries_[i];
+        const int side = boundary.side(from), neighbor = boundary.regions[!side], following = next(from, i);
+        const int known = neighbor == to ? i : find(to, neighbor);
+        if (known == NONE)
+        {
+            boundary.regions[side] = to;
+            boundary.next[side] = firsts_[to];
+            firsts_[to] = i;
+            degrees_[to]++;
+        }
+        else
+        {
+            if (known != i)
+            {
+                boundaries_[known].length += boundary.length;
+                boundaries_[known].height += boundary.height;
+                joined.push_back(known);
+            }
+            boundary.length = 0;
+        }
+        i = following;
     }
     parents_[from] = to;
 }
@@ -59,18 +100,17 @@ void RegionGraph::unite(int from, int to)
 int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers)
 {
     const int n = int(parents.size());
-    std::vector<int> roots(parents);
+    std::vector<int> roots(parents), number_of_root(n, -1);
     int count = 0;
-    numbers.assign(n, 0);
-    for (int i = 0; i < n; i++)
-        if (parents[i] == i)
-            numbers[i] = count++;
+    numbers.resize(n);
     for (int i = 0; i < n; i++)
     {
         int root = i;
         while (roots[root] != root)
             root = roots[root] = roots[roots[root]];
-        numbers[i] = numbers[root];
+        if (number_of_root[root] < 0)
+            number_of_root[root] = count++;
+        numbers[i] = number_of_root[root];
     }
     return count;
 }

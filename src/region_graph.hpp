@@ -9,50 +9,61 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The regions of a label map and which of them touch; regions can be united.
+//! The regions of a label map and the boundaries between them; regions can be united. All work is in
+//! proportion to the number of neighbours of the region that has fewer of them.
 class RegionGraph
 {
 public:
-    //! The boundary between a region and one of its neighbours.
+    enum { NONE = -1 };
+
+    //! What two regions have in common. It is in a list of each of them.
     struct Boundary
     {
-        int neighbor;
-        int length;   //!< in pixel edges
-        int64 height; //!< sum over them
+        int regions[2];
+        int next[2];    //!< in the lists of the regions
+        int length;     //!< in pixel edges; 0: it is no more
+        int64 height;   //!< sum over them
+
+        bool exists() const { return length > 0; }
+        //! Which of the two a region is.
+        int side(int region) const { return regions[1] == region; }
     };
 
-    explicit RegionGraph(int num_regions) : boundaries_(num_regions), parents_(num_regions)
-    {
-        const int USUAL_NEIGHBORS = 8;
-        for (int i = 0; i < num_regions; i++)
-        {
-            boundaries_[i].reserve(USUAL_NEIGHBORS);
-            parents_[i] = i;
-        }
-    }
+    //! Regions without boundaries. Memory stays from one graph to the next.
+    void reset(int num_regions);
 
-    //! Adds edges between pixels with labels a != b, and the sum of their heights, to the boundary.
-    void addEdges(int a, int b, int count, int64 height);
+    //! Adds edges between pixels of the regions a != b, and the sum of their heights.
+    void add(int a, int b, int length, int64 height);
 
-    const std::vector<Boundary>& boundaries(int region) const { return boundaries_[region]; }
+    //! All boundaries that were ever made.
+    const std::vector<Boundary>& boundaries() const { return boundaries_; }
 
-    //! Moves the boundaries of a region to a neighbour, which takes it in.
-    void unite(int from, int to);
+    //! Number of neighbours of a region, or more.
+    int degree(int region) const { return degrees_[region]; }
+
+    //! First boundary of a region, or NONE, and the next one.
+    int first(int region);
+    int next(int region, int boundary);
+
+    //! Moves the boundaries of a region to a neighbour, which takes it in. Lists in joined those of the
+    //! neighbour that have become longer.
+    void unite(int from, int to, std::vector<int>& joined);
 
     //! The region that took a region in, or the region itself where it is left.
     const std::vector<int>& parents() const { return parents_; }
 
 private:
-    static Boundary* find(std::vector<Boundary>& boundaries, int neighbor);
-    void add(int region, const Boundary& boundary);
-    void remove(int region, int neighbor);
+    int skipGone(int region, int& link);
+    int find(int a, int b);
 
-    std::vector<std::vector<Boundary> > boundaries_;
+    std::vector<Boundary> boundaries_;
+    std::vector<int> firsts_;
+    std::vector<int> degrees_; // lengths of the lists, in which some may be no more
     std::vector<int> parents_;
 };
 
-//! New number of each region: those that are left, which are their own parents, are numbered from 0
-//! in the old order; the others have the number of the region they are in now. Returns how many are left.
+//! New number of each region: those that are left, which are their own parents, are numbered from 0 in the
+//! order of the first region in them. Returns how many are left.
 int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers);
 
 //! Replaces each label by its number; what is below 0 stays.
@@ -85,13 +96,13 @@ void addBoundaries(const Mat& labels, const Height& height, RegionGraph& graph)
                 sum += height(Point(x, y), Point(x, y + 1));
                 if (last || right != label || below[x + 1] != below[x])
                 {
-                    graph.addEdges(label, below[x], length, sum);
+                    graph.add(label, below[x], length, sum);
                     length = 0;
                     sum = 0;
                 }
             }
             if (label != right && (label | right) >= 0)
-                graph.addEdges(label, right, 1, height(Point(x, y), Point(x + 1, y)));
+                graph.add(label, right, 1, height(Point(x, y), Point(x + 1, y)));
         }
     }
 }

@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_REGION_STEPS_HPP
 
 #include "region.hpp"
+#include "region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -47,17 +48,23 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
 void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions);
 
-//! Two neighbours that may be merged, as they were when the pair was queued.
-struct MergePair
+//! Buffers of merging.
+struct MergeBuffers
 {
-    int a, b, version_a, version_b;
-    int next; // of the same cost
+    struct Entry
+    {
+        int boundary, next;
+    };
+    RegionGraph graph;
+    std::vector<int> queued_at;   // cost of each boundary when it was queued last
+    std::vector<Entry> entries;   // of the queues, one for each cost
+    std::vector<int> first, last; // entries of each queue
 };
 
 //! Merges the most similar neighbours until num_regions are left. (merge_similar.cpp)
 //! length_exponent, in 1/16, is how much a long common boundary counts.
 void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
-                         std::vector<MergePair>& buffer, Padded<int>& labels, Regions& regions);
+                         MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Labels for the groups of regions that were merged. parents name the region that took each one in, areas are
 //! from before, and names are the labels that they had: the first num_kept still have them, the others lie

@@ -139,7 +139,7 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     listBoundary(labels_[level], boundary_);
     sweep(level, SWEEPS_BEFORE_MERGING, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), distance,
           frame, 0);
-    mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffer_,
+    mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
                         labels_[level], regions_);
 }
 
@@ -211,7 +211,7 @@ void RegionWatershed::renew(int level, const std::vector<uchar>& changed, const 
     std::vector<int> areas(regions_.size());
     for (int i = 0; i < regions_.size(); i++)
         areas[i] = regions_.sums[i].area;
-    SimilarMerger merger(distance, lengthExponent(parameters.ruler), 0, merge_buffer_, regions_);
+    SimilarMerger merger(distance, lengthExponent(parameters.ruler), 0, merge_buffers_, regions_);
     addBoundaries(map, NoHeight(), merger.graph());
     merger.run(num_regions);
     nameGroups(merger.graph().parents(), areas, names, num_kept, numbers);

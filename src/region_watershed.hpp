@@ -49,7 +49,7 @@ private:
     int top_ = 0;               // level of the last flood
     std::vector<int64> errors_; // of the regions there, when each of them was made
     FloodBuffers flood_buffers_;
-    std::vector<MergePair> merge_buffer_;
+    MergeBuffers merge_buffers_;
     SweepBuffers sweep_buffers_;
 };
 

@@ -15,27 +15,38 @@ static int logarithm(int64 value)
 }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int height_exponent,
-                             std::vector<MergePair>& pairs, Regions& regions)
+                             MergeBuffers& buffers, Regions& regions)
     : distance_(distance), length_exponent_(length_exponent), height_exponent_(height_exponent),
-      regions_(regions), pairs_(pairs), graph_(regions.size()), versions_(regions.size(), 0),
-      first_(COSTS, int(NONE)), last_(COSTS, int(NONE)), lowest_(COSTS)
+      regions_(regions), graph_(buffers.graph), queued_at_(buffers.queued_at), entries_(buffers.entries),
+      first_(buffers.first), last_(buffers.last), lowest_(COSTS)
 {
+    graph_.reset(regions.size());
+    entries_.clear();
+    first_.assign(COSTS, int(NONE));
+    last_.assign(COSTS, int(NONE));
 }
 
+//! Invariant: each boundary waits at the cost that it had when it was queued last. Where the cost has risen it is
+//! queued again when its turn comes; where it has fallen, at once, but of a region with many neighbours only where the
+//! boundary has become longer. So a merger is as much work as the region with fewer neighbours has neighbours.
 int SimilarMerger::run(int num_regions)
 {
+    queued_at_.assign(graph_.boundaries().size(), 0);
+    for (int i = 0; i < int(graph_.boundaries().size()); i++)
+        push(i, cost(graph_.boundaries()[i]));
     int left = regions_.size();
-    pairs_.clear();
-    for (int i = 0; i < left; i++)
-        for (size_t j = 0; j < graph_.boundaries(i).size(); j++)
-            if (graph_.boundaries(i)[j].neighbor > i)
-                push(i, graph_.boundaries(i)[j]);
-    MergePair pair;
-    while (left > num_regions && pop(pair))
+    while (left > num_regions)
     {
-        if (versions_[pair.a] != pair.version_a || versions_[pair.b] != pair.version_b)
-            continue; // one of them has changed, and the pair was queued again
-        unite(pair.b, pair.a);
+        const int boundary = pop();
+        if (boundary == NONE)
+            break;
+        const int now = cost(graph_.boundaries()[boundary]);
+        if (now > lowest_)
+        {
+            push(boundary, now);
+            continue;
+        }
+        unite(graph_.boundaries()[boundary].regions[0], graph_.boundaries()[boundary].regions[1]);
         left--;
     }
     return left;
@@ -46,13 +57,14 @@ int SimilarMerger::run(int num_regions)
 //! (length of the boundary / root of the smaller area)^length exponent, as a logarithm: the exponents
 //! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
 //! that lets small regions go first where colours are equal, and a bonus for long boundaries.
-int SimilarMerger::cost(int i, const RegionGraph::Boundary& boundary) const
+int SimilarMerger::cost(const RegionGraph::Boundary& boundary) const
 {
-    const int area_a = regions_.sums[i].area, area_b = regions_.sums[boundary.neighbor].area;
+    const int a = boundary.regions[0], b = boundary.regions[1];
+    const int area_a = regions_.sums[a].area, area_b = regions_.sums[b].area;
     const int log_a = logarithm(area_a), log_b = logarithm(area_b);
     const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
     const int log_length = logarithm(boundary.length), length = log_length - std::min(log_a, log_b) / 2;
-    const int64 distance = squaredDistance(regions_.means[i], regions_.means[boundary.neighbor]);
+    const int64 distance = squaredDistance(regions_.means[a], regions_.means[b]);
     int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length;
     if (height_exponent_ > 0)
         sum += height_exponent_ * (logarithm(boundary.height + 16 * int64(boundary.length)) - log_length);
@@ -73,40 +85,57 @@ int64 SimilarMerger::squaredDistance(const RegionMean& a, const RegionMean& b) c
     return (color_share * color_share * color + depth_share * depth_share * depth * depth) >> 16;
 }
 
-void SimilarMerger::push(int i, const RegionGraph::Boundary& boundary)
+void SimilarMerger::push(int boundary, int cost)
 {
-    const int b = boundary.neighbor, at = cost(i, boundary), index = int(pairs_.size());
-    const MergePair pair = { i, b, versions_[i], versions_[b], NONE };
-    pairs_.push_back(pair);
-    if (first_[at] == NONE)
-        first_[at] = index;
+    const MergeBuffers::Entry entry = { boundary, NONE };
+    const int index = int(entries_.size());
+    entries_.push_back(entry);
+    if (first_[cost] == NONE)
+        first_[cost] = index;
     else
-        pairs_[last_[at]].next = index;
-    last_[at] = index;
-    lowest_ = std::min(lowest_, at);
+        entries_[last_[cost]].next = index;
+    last_[cost] = index;
+    lowest_ = std::min(lowest_, cost);
+    queued_at_[boundary] = cost;
 }
 
-bool SimilarMerger::pop(MergePair& pair)
+void SimilarMerger::pushIfLower(int boundary)
 {
-    while (lowest_ < COSTS && first_[lowest_] == NONE)
-        lowest_++;
-    if (lowest_ == COSTS)
-        return false;
-    pair = pairs_[first_[lowest_]];
-    first_[lowest_] = pair.next;
-    return true;
+    const int now = cost(graph_.boundaries()[boundary]);
+    if (now < queued_at_[boundary])
+        push(boundary, now);
 }
 
-void SimilarMerger::unite(int from, int to)
+//! The boundary at the lowest cost, which is lowest_ then; NONE if there is none.
+int SimilarMerger::pop()
 {
+    for (; lowest_ < COSTS; lowest_++)
+        while (first_[lowest_] != NONE)
+        {
+            const MergeBuffers::Entry entry = entries_[first_[lowest_]];
+            first_[lowest_] = entry.next;
+            if (graph_.boundaries()[entry.boundary].exists() && queued_at_[entry.boundary] == lowest_)
+                return entry.boundary;
+        }
+    return NONE;
+}
+
+//! The region with fewer neighbours goes into the other one.
+void SimilarMerger::unite(int a, int b)
+{
+    const bool b_goes = graph_.degree(b) < graph_.degree(a) || (graph_.degree(b) == graph_.degree(a) && a < b);
+    const int from = b_goes ? b : a, to = b_goes ? a : b;
     regions_.sums[to].add(regions_.sums[from]);
     regions_.update(to);
-    graph_.unite(from, to);
-    versions_[to]++;
-    versions_[from]++;
+    graph_.unite(from, to, joined_);
     unions_.push_back(Vec2i(from, to));
-    for (size_t j = 0; j < graph_.boundaries(to).size(); j++)
-        push(to, graph_.boundaries(to)[j]);
+    const int FEW = 32;
+    if (graph_.degree(to) <= FEW)
+        for (int i = graph_.first(to); i != NONE; i = graph_.next(to, i))
+            pushIfLower(i);
+    else
+        for (size_t i = 0; i < joined_.size(); i++)
+            pushIfLower(joined_[i]);
 }
 
 }}} // namespace

@@ -5,7 +5,6 @@
 #ifndef OPENCV_GWATERSHED_SIMILAR_MERGER_HPP
 #define OPENCV_GWATERSHED_SIMILAR_MERGER_HPP
 
-#include "region_graph.hpp"
 #include "region_steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -16,7 +15,7 @@ class SimilarMerger
 public:
     //! The exponents, in 1/16, are how much a long common boundary and a high one count.
     SimilarMerger(const RegionDistance& distance, int length_exponent, int height_exponent,
-                  std::vector<MergePair>& pairs, Regions& regions);
+                  MergeBuffers& buffers, Regions& regions);
 
     //! To be filled with the boundaries of the regions before run().
     RegionGraph& graph() { return graph_; }
@@ -30,21 +29,24 @@ public:
 private:
     enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
 
-    int cost(int i, const RegionGraph::Boundary& boundary) const;
+    int cost(const RegionGraph::Boundary& boundary) const;
     int64 squaredDistance(const RegionMean& a, const RegionMean& b) const;
-    void push(int i, const RegionGraph::Boundary& boundary);
-    bool pop(MergePair& pair);
-    void unite(int from, int to);
+    void push(int boundary, int cost);
+    void pushIfLower(int boundary);
+    int pop();
+    void unite(int a, int b);
 
     const RegionDistance distance_;
     const int length_exponent_, height_exponent_;
     Regions& regions_;
-    std::vector<MergePair>& pairs_;
-    RegionGraph graph_;
-    std::vector<Vec2i> unions_;
-    std::vector<int> versions_; // how often a region has changed
-    std::vector<int> first_, last_; // pairs by cost
+    RegionGraph& graph_;
+    std::vector<int>& queued_at_;
+    std::vector<MergeBuffers::Entry>& entries_;
+    std::vector<int>& first_;
+    std::vector<int>& last_;
     int lowest_;
+    std::vector<Vec2i> unions_;
+    std::vector<int> joined_; // boundaries that have become longer
 };
 
 }}} // namespace
