@@ -39,7 +39,8 @@ PERF_TEST_P(Perf_GWatershed_pipeline, small_mask, PIPELINE_PARAMS)
     const Size size = get<1>(GetParam());
     Pictures pictures(size);
     Mat mask = Mat::zeros(size, CV_8UC1);
-    circle(mask, Point(size.width / 2, size.height / 2), cvRound(std::sqrt(size.area() / (8 * CV_PI))), Scalar(255), FILLED);
+    const int radius = cvRound(std::sqrt(size.area() / (8 * CV_PI)));
+    circle(mask, Point(size.width / 2, size.height / 2), radius, Scalar(255), FILLED);
     Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
     gws->setRegionSize(PERF_REGION_SIZE);
     gws->setMask(mask);

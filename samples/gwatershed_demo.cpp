@@ -190,7 +190,8 @@ int main(int argc, char** argv)
             std::cerr << "Cannot open the camera or video " << camera << std::endl;
             return 1;
         }
-        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations, 1, 0 };
+        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations,
+                                    image.empty() ? 1 : 0, 0 };
         showWindow(image, depth, capture, settings);
     }
     catch (const cv::Exception& e)

@@ -18,8 +18,7 @@ static const char* const KEYS =
     "{i image        |     | image to segment }"
     "{o output       |     | file to write: .json, .yml or .xml }"
     "{p picture      |     | picture of the polygons to write }"
-    "{k superpixels  | 400 | number of superpixels }"
-    "{e epsilon      | 0   | largest distance in pixels of a simplified polygon; 0: exact }";
+    "{k superpixels  | 400 | number of superpixels }";
 
 struct Polygon
 {
@@ -32,9 +31,9 @@ struct Polygon
 findContours() gives 8-connected borders that run through the centres of pixels: through those of the superpixel
 itself, along its outline and around its holes. So the polygons of two neighbours lie one pixel apart, and so does a
 hole from the superpixel that fills it. fillPoly() of all polygons of a superpixel, in one call, draws the
-borders too and leaves the holes out: exactly the pixels of the superpixel where epsilon is 0. To paint the
-outline and then each hole over it would take the pixels around the hole away. */
-static std::vector<Polygon> findPolygons(const Mat& labels, int label, const Rect& box, double epsilon)
+borders too and leaves the holes out: exactly the pixels of the superpixel. To paint the outline and then each hole
+over it would take the pixels around the hole away. approxPolyDP() makes the polygons simpler. */
+static std::vector<Polygon> findPolygons(const Mat& labels, int label, const Rect& box)
 {
     const Mat mask = labels(box) == label;
     std::vector<std::vector<Point> > contours;
@@ -44,9 +43,7 @@ static std::vector<Polygon> findPolygons(const Mat& labels, int label, const Rec
     for (size_t i = 0; i < contours.size(); i++)
     {
         // A contour with a parent is a hole.
-        Polygon polygon = { hierarchy[i][3] >= 0, contours[i] };
-        if (epsilon > 0)
-            approxPolyDP(contours[i], polygon.points, epsilon, true);
+        const Polygon polygon = { hierarchy[i][3] >= 0, contours[i] };
         polygons.push_back(polygon);
     }
     return polygons;
@@ -65,7 +62,7 @@ static void write(FileStorage& out, int label, const Mat& stats, const Mat& cent
 }
 
 //! Writes the polygons, draws them and returns how many there are.
-static size_t writePolygons(const SuperpixelGWatershed& gws, const Mat& image, double epsilon, FileStorage& out,
+static size_t writePolygons(const SuperpixelGWatershed& gws, const Mat& image, FileStorage& out,
                             Mat& picture)
 {
     Mat labels, stats, centroids, colors;
@@ -78,7 +75,7 @@ static size_t writePolygons(const SuperpixelGWatershed& gws, const Mat& image, d
     {
         const Rect box(stats.at<int>(i, CC_STAT_LEFT), stats.at<int>(i, CC_STAT_TOP),
                        stats.at<int>(i, CC_STAT_WIDTH), stats.at<int>(i, CC_STAT_HEIGHT));
-        const std::vector<Polygon> polygons = findPolygons(labels, i, box, epsilon);
+        const std::vector<Polygon> polygons = findPolygons(labels, i, box);
         write(out, i, stats, centroids, colors, polygons);
         for (size_t j = 0; j < polygons.size(); j++)
             polylines(picture, polygons[j].points, true, polygons[j].is_hole ? Scalar(255, 0, 0) : Scalar(0, 0, 255));
@@ -95,7 +92,6 @@ int main(int argc, char** argv)
     const String image_file = parser.get<String>("image"), output = parser.get<String>("output");
     const String picture_file = parser.get<String>("picture");
     const int num_superpixels = parser.get<int>("superpixels");
-    const double epsilon = parser.get<double>("epsilon");
     if (parser.has("help") || image_file.empty() || output.empty() || !parser.check())
     {
         parser.printErrors();
@@ -114,7 +110,7 @@ int main(int argc, char** argv)
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, 3, num_superpixels);
         gws->iterate(image);
         Mat picture;
-        const size_t count = writePolygons(*gws, image, epsilon, out, picture);
+        const size_t count = writePolygons(*gws, image, out, picture);
         out.release();
         if (!picture_file.empty() && !imwrite(picture_file, picture))
             CV_Error(Error::StsError, "cannot write " + picture_file);

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "mask.hpp"
 #include "region_steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -112,7 +113,7 @@ void computeGradient(const Padded<Feature>& features, const RegionDistance& dist
 {
     CV_TRACE_FUNCTION();
     gradient.create(features.size(), CV_16UC1);
-    gradient.setTo(Scalar(USHRT_MAX));
+    gradient.setTo(Scalar(UNKNOWN_GRADIENT));
     parallel_for_(Range(1, std::max(1, gradient.rows - 1)), [&](const Range& range)
     {
         for (int y = range.start; y < range.end; y++)

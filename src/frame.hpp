@@ -16,9 +16,9 @@ struct Frame
     Mat depth;   //!< CV_8UC1, 0 where it is missing; empty: there is none
     Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty: all pixels are inside
     Mat markers; //!< CV_32SC1, the label of a marker or below 0; empty: markers are to be placed
-    int num_pixels;      //!< inside
-    int num_superpixels; //!< asked for, or number of the markers
-    bool follows;        //!< it goes on from the last frame, which was of the same size, mask and number
+    int num_pixels = 0;      //!< inside
+    int num_superpixels = 0; //!< asked for, or number of the markers
+    bool follows = false;    //!< it goes on from the last frame, which was of the same size, mask and number
 };
 
 }}} // namespace

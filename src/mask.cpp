@@ -67,6 +67,8 @@ int MaskPyramid::countLost(const Mat& blocks, int level) const
 void MaskPyramid::build(const Mat& mask, int max_level)
 {
     CV_TRACE_FUNCTION();
+    if (!levels_.empty() && levels_[0].mask.data == mask.data && levels_[0].mask.size() == mask.size())
+        return; // the mask of the last image, which is kept here and never written to
     levels_.resize(max_level + 1);
     Mat components;
     for (int i = 0; i <= max_level; i++)

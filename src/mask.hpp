@@ -22,7 +22,7 @@ enum { UNKNOWN_GRADIENT = USHRT_MAX };
 class MaskPyramid
 {
 public:
-    //! Replaces the mask, CV_8UC1 with 0 and 255.
+    //! Replaces the mask, CV_8UC1 with 0 and 255, which must not be written to later.
     void build(const Mat& mask, int max_level);
 
     const Mat& mask(int level) const { return levels_[level].mask; }

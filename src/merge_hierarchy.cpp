@@ -53,8 +53,8 @@ int MergeHierarchy::cut(int num_labels, Mat& labels) const
         parents[i] = i;
     for (size_t i = 0; i < count; i++)
         parents[unions_[i][0]] = unions_[i][1];
-    labels_.copyTo(labels);
     const int left = numberRegions(parents, numbers);
+    labels_.copyTo(labels);
     renumber(numbers, labels);
     return left;
 }

@@ -14,8 +14,6 @@ class MergeHierarchy
 {
 public:
     bool empty() const { return num_labels_ == 0; }
-    //! Number of superpixels before any is merged.
-    int size() const { return num_labels_; }
 
     //! Merges all superpixels, as far as they touch, of a CV_32SC1 label map; labels below 0 stay.
     void build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels, int num_labels);

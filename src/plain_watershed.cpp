@@ -19,9 +19,9 @@ int PlainWatershed::run(const Frame& frame, const Parameters& parameters, Mat& l
     CV_TRACE_FUNCTION();
     const int alpha = parameters.alphaWeight();
     int num_superpixels = frame.num_superpixels;
-    Mat last_labels;
+    channels_ = frame.color.channels();
     if (frame.follows)
-        extractLabels(nodes_, last_labels);
+        extractLabels(nodes_, last_labels_);
     computeGradient(frame.color, frame.depth, alpha, gray_, gradient_);
     makeNodes(frame.color, frame.depth, nodes_);
     if (!frame.mask.empty())
@@ -34,11 +34,11 @@ int PlainWatershed::run(const Frame& frame, const Parameters& parameters, Mat& l
     else
     {
         if (frame.follows)
-            followMarkers(gradient_, last_labels, !frame.mask.empty(), markers_);
+            followMarkers(gradient_, last_labels_, !frame.mask.empty(), marker_buffers_, markers_);
         else if (frame.mask.empty())
             placeMarkers(gradient_, num_superpixels, markers_);
         else
-            placeMarkers(gradient_, frame.mask, num_superpixels, markers_);
+            placeMarkers(gradient_, frame.mask, num_superpixels, marker_buffers_, markers_);
         labelMarkers(markers_, nodes_);
         num_superpixels = int(markers_.size());
     }
@@ -59,6 +59,8 @@ void PlainWatershed::makeFeatures(bool uniform_color, Padded<Feature>& features)
             color.at<Vec3b>(y, x) = Vec3b(pixel.b, pixel.g, pixel.r);
             depth.at<uchar>(y, x) = pixel.depth;
         }
+    if (channels_ == 1)
+        extractChannel(color, color, 0);
     gws::makeFeatures(color, depth, uniform_color, features);
 }
 

@@ -32,6 +32,9 @@ public:
 private:
     Mat gray_, gradient_;
     std::vector<Point> markers_;
+    MarkerBuffers marker_buffers_;
+    Mat last_labels_;
+    int channels_ = 0; // of the last image
     NodeMap nodes_;
     LineBuffers line_buffers_;
 };

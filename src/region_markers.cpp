@@ -2,15 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "region_markers.hpp"
 #include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-typedef std::vector<Point>::iterator PointIterator;
-
-//! The smallest gradient in the window around the centre of the cell whose side is a part of that of the cell; of
-//! equal ones the nearest to the centre. Pixels beyond it, in a cell that is not convex, come last.
-static Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part)
+//! Pixels beyond the window, in a cell that is not convex, come last.
+Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part)
 {
     const int64 area = end - begin;
     int64 sum_x = 0, sum_y = 0;
@@ -63,10 +61,9 @@ static bool isLeftOf(Point a, Point b)
     return a.x < b.x;
 }
 
-//! Places n markers, n <= number of points, in a region given in raster order: in cells of equal
-//! area, about square, rows of cells one below the other.
-static void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n,
-                          std::vector<Point>& markers)
+//! In cells of equal area, about square, rows of cells one below the other.
+void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n,
+                   std::vector<Point>& markers)
 {
     const int width = std::max_element(begin, end, isLeftOf)->x - std::min_element(begin, end, isLeftOf)->x + 1;
     const int height = (end - 1)->y - begin->y + 1;
@@ -85,9 +82,10 @@ static void placeInRegion(const Mat& gradient, PointIterator begin, PointIterato
     }
 }
 
-//! The points of the regions first, first + 1..., in raster order; those of region first + i begin at starts[i].
-static void listPoints(const Mat& labels, int first, int num_regions, std::vector<Point>& points, std::vector<int>& starts)
+void listPoints(const Mat& labels, int first, int num_regions, MarkerBuffers& buffers)
 {
+    std::vector<Point>& points = buffers.points;
+    std::vector<int>& starts = buffers.starts;
     starts.assign(num_regions + 1, 0);
     for (int y = 0; y < labels.rows; y++)
     {
@@ -111,61 +109,20 @@ static void listPoints(const Mat& labels, int first, int num_regions, std::vecto
 }
 
 //! Each component has one marker, and of the others a share in proportion to its area.
-void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, std::vector<Point>& markers)
+void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, MarkerBuffers& buffers,
+                  std::vector<Point>& markers)
 {
     CV_TRACE_FUNCTION();
-    Mat components;
-    std::vector<Point> points;
-    std::vector<int> starts;
-    const int count = connectedComponents(mask, components, 4, CV_32S) - 1, area = countNonZero(mask);
-    listPoints(components, 1, count, points, starts);
+    std::vector<Point>& points = buffers.points;
+    const std::vector<int>& starts = buffers.starts;
+    const int count = connectedComponents(mask, buffers.components, 4, CV_32S) - 1, area = countNonZero(mask);
+    listPoints(buffers.components, 1, count, buffers);
     markers.clear();
     const int64 others = std::max(num_markers - count, 0), other_area = std::max(area - count, 1);
     for (int i = 0; i < count; i++)
     {
         const int64 share = others * (starts[i + 1] - (i + 1)) / other_area - others * (starts[i] - i) / other_area;
         placeInRegion(gradient, points.begin() + starts[i], points.begin() + starts[i + 1], int(1 + share), markers);
-    }
-}
-
-//! @note Not in the paper. Regions of less than a sixteenth of the mean area are given up, the smallest
-//! first, while there are regions of more than four times the mean: each of these, the largest first, gets a
-//! second marker and the label of one that was given up. Not so in a mask, where a small region may be all
-//! that there is in a component.
-void followMarkers(const Mat& gradient, const Mat& labels, bool masked, std::vector<Point>& markers)
-{
-    CV_TRACE_FUNCTION();
-    const int n = int(markers.size());
-    std::vector<Point> points;
-    std::vector<int> starts;
-    listPoints(labels, 0, n, points, starts);
-
-    typedef std::pair<int, int> AreaAndLabel;
-    std::vector<AreaAndLabel> small, large;
-    const double mean_area = double(points.size()) / n;
-    for (int i = 0; i < n; i++)
-    {
-        const int area = starts[i + 1] - starts[i];
-        if (masked)
-            continue;
-        if (area < mean_area / 16)
-            small.push_back(AreaAndLabel(area, i));
-        else if (area > mean_area * 4)
-            large.push_back(AreaAndLabel(-area, i));
-    }
-    std::sort(small.begin(), small.end());
-    std::sort(large.begin(), large.end());
-
-    for (int i = 0; i < n; i++)
-        markers[i] = findMarker(gradient, points.begin() + starts[i], points.begin() + starts[i + 1], 4);
-    std::vector<Point> pair;
-    for (size_t i = 0; i < std::min(small.size(), large.size()); i++)
-    {
-        const int label = large[i].second;
-        pair.clear();
-        placeInRegion(gradient, points.begin() + starts[label], points.begin() + starts[label + 1], 2, pair);
-        markers[label] = pair[0];
-        markers[small[i].second] = pair[1];
     }
 }
 

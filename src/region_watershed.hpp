@@ -9,6 +9,7 @@
 #include "mask.hpp"
 #include "parameters.hpp"
 #include "region_steps.hpp"
+#include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -22,9 +23,6 @@ public:
     //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
     int run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels);
 
-    //! The distance that leads in finding regions.
-    static RegionDistance floodDistance(float alpha);
-
     //! Features of the pixels of the last run.
     const Padded<Feature>& features() const { return features_[0]; }
 
@@ -33,7 +31,9 @@ private:
 
     void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
     bool follow(const Frame& frame, int level, int length_price, const Parameters& parameters);
-    void renew(int level, const std::vector<uchar>& changed, const Parameters& parameters);
+    void floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
+                   const Parameters& parameters);
+    void mergeAnew(int level, std::vector<uchar>& changed, const Parameters& parameters);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
     void sweep(int level, int count, int length_price, const RegionDistance& distance, const Frame& frame,
@@ -48,6 +48,12 @@ private:
     std::vector<int> boundary_;
     int top_ = 0;               // level of the last flood
     std::vector<int64> errors_; // of the regions there, when each of them was made
+
+    // For frames that follow others.
+    Mat last_map_, dissolved_;
+    MarkerBuffers marker_buffers_;
+    std::vector<int> names_, numbers_;
+    int num_kept_ = 0;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
     SweepBuffers sweep_buffers_;

@@ -29,7 +29,7 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent
 //! Invariant: each boundary waits at the cost that it had when it was queued last. Where the cost has risen it is
 //! queued again when its turn comes; where it has fallen, at once, but of a region with many neighbours only where the
 //! boundary has become longer. So a merger is as much work as the region with fewer neighbours has neighbours.
-int SimilarMerger::run(int num_regions)
+void SimilarMerger::run(int num_regions)
 {
     queued_at_.assign(graph_.boundaries().size(), 0);
     for (int i = 0; i < int(graph_.boundaries().size()); i++)
@@ -49,7 +49,6 @@ int SimilarMerger::run(int num_regions)
         unite(graph_.boundaries()[boundary].regions[0], graph_.boundaries()[boundary].regions[1]);
         left--;
     }
-    return left;
 }
 
 //! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *

@@ -20,8 +20,8 @@ public:
     //! To be filled with the boundaries of the regions before run().
     RegionGraph& graph() { return graph_; }
 
-    //! Merges until num_regions are left, or none has a neighbour. Returns how many are left.
-    int run(int num_regions);
+    //! Merges until num_regions are left, or none has a neighbour.
+    void run(int num_regions);
 
     //! What was merged, in order: a region and the one that took it in.
     const std::vector<Vec2i>& unions() const { return unions_; }

@@ -25,13 +25,23 @@ CV_EXPORTS void computeGradient(const Mat& color, const Mat& depth, int alpha, M
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels. (markers.cpp)
 CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
+//! Buffers for placing markers in regions.
+struct MarkerBuffers
+{
+    Mat components;
+    std::vector<Point> points;
+    std::vector<int> starts;
+};
+
 //! The same inside of a mask: at least one marker in each of its connected components, and more than
 //! num_markers if there are more components. num_markers <= pixels inside. (region_markers.cpp)
-void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, std::vector<Point>& markers);
+void placeMarkers(const Mat& gradient, const Mat& mask, int num_markers, MarkerBuffers& buffers,
+                  std::vector<Point>& markers);
 
 //! Moves each marker into the middle of the region that it had in the last frame, of which labels is the label
-//! map; markers of regions that have all but vanished go to those that are too large. (region_markers.cpp)
-void followMarkers(const Mat& gradient, const Mat& labels, bool masked, std::vector<Point>& markers);
+//! map; markers of regions that have all but vanished go to those that are too large. (follow_markers.cpp)
+void followMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuffers& buffers,
+                   std::vector<Point>& markers);
 
 //! Numbers the positive values of a CV_32SC1 map of markers, inside of the mask if that is not empty, from
 //! 0 in their order; all else becomes -1. Returns how many there are. (user_markers.cpp)

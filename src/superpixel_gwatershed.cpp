@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "merge_hierarchy.hpp"
 #include "plain_watershed.hpp"
+#include "region_settings.hpp"
 #include "region_watershed.hpp"
 #include "steps.hpp"
 
@@ -80,7 +81,7 @@ public:
         image.create(labels_.size(), CV_8UC1);
         Mat mask = image.getMat();
         mask.setTo(Scalar(0));
-        if (has_lines_)
+        if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
         {
             Mat part = mask(bounds_);
             plain_.drawLines(part);
@@ -95,11 +96,13 @@ public:
         if (num_labels_ == 0)
             return;
         const double mean_area = double(countNonZero(labels_ >= 0)) / num_labels_;
+        const int before = num_labels_;
         guardMemory([&]()
         {
             num_labels_ = gws::mergeSmallRegions(num_labels_, cvCeil(mean_area * min_element_size / 100), labels_);
         });
-        hierarchy_ = gws::MergeHierarchy();
+        if (num_labels_ < before)
+            hierarchy_ = gws::MergeHierarchy();
     }
 
     void mergeSimilar(int num_superpixels) CV_OVERRIDE
@@ -139,13 +142,16 @@ public:
     {
         checkSegmented();
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, labels_.size()));
+        CV_Assert((depth.empty() || !image.empty()) && "depth must come with its image");
         const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
-            const Mat color = values.empty() ? Mat() : gws::convertImage(values, converted);
-            gws::listAdjacency(labels_, num_labels_, color, scaleDepth(depths, scaled), parameters_.alphaWeight(),
-                               tables[0], tables[1], tables[2]);
+            const Mat color = values.empty() ? Mat() : gws::convertImage(values(bounds_), converted);
+            const Mat depth_inside = depths.empty() ? Mat() : depths(bounds_);
+            const Mat mask_inside = used_mask_.empty() ? Mat() : used_mask_(bounds_);
+            gws::listAdjacency(labels_(bounds_), num_labels_, color, scaleInside(depth_inside, mask_inside, scaled),
+                               used_.alphaWeight(), tables[0], tables[1], tables[2]);
             give(tables[0], pairs);
             give(tables[1], lengths);
             give(tables[2], heights);
@@ -235,9 +241,16 @@ private:
             table.copyTo(output);
     }
 
-    Mat scaleDepth(const Mat& depth, Mat& buffer) const
+    //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
+    Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
     {
-        return gws::scaleDepth(depth, parameters_.near_depth, parameters_.far_depth, buffer);
+        Mat inside = depth;
+        if (!depth.empty() && !mask.empty())
+        {
+            inside = Mat::zeros(depth.size(), depth.type());
+            depth.copyTo(inside, mask);
+        }
+        return gws::scaleDepth(inside, used_.near_depth, used_.far_depth, buffer);
     }
 
     void checkMaps(Size size) const
@@ -245,7 +258,8 @@ private:
         if (!mask_.empty())
             CV_CheckEQ(mask_.size(), size, "mask must have the size of image; setMask() of an empty one drops it");
         if (!markers_.empty())
-            CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones drops them");
+            CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones"
+                                              " drops them");
     }
 
     //! If something fails on the way, there is no segmentation, and the next call starts anew.
@@ -254,12 +268,14 @@ private:
         checkMaps(image.size());
         segmented_ = false;
         num_labels_ = 0;
+        hierarchy_ = gws::MergeHierarchy();
         const Last last = last_;
         last_ = Last();
-        hierarchy_ = gws::MergeHierarchy();
         if (!complete_)
             region_guided_ = gws::RegionWatershed();
         complete_ = false;
+        used_ = parameters_;
+        used_mask_ = mask_;
         guardMemory([&]() { segmentInside(image, depth, num_iterations, last); });
         complete_ = segmented_ = true;
     }
@@ -268,65 +284,57 @@ private:
     void segmentInside(const Mat& image, const Mat& depth, int num_iterations, const Last& last)
     {
         bounds_ = mask_.empty() ? Rect(Point(), image.size()) : gws::findBounds(mask_);
-        const bool whole = bounds_.size() == image.size();
-        has_lines_ = parameters_.algorithm == GWATERSHED;
         labels_.create(image.size(), CV_32SC1);
-        if (!whole)
+        if (bounds_.size() != image.size())
             labels_.setTo(Scalar(-1));
+        if (bounds_.empty())
+            return;
         Mat part = labels_(bounds_);
-        gws::Frame frame;
-        if (!bounds_.empty())
-            makeFrame(image, depth, frame);
-        if (!bounds_.empty() && frame.num_superpixels > 0)
+        gws::Frame frame = makeFrame(image(bounds_), depth.empty() ? Mat() : depth(bounds_));
+        if (frame.num_superpixels == 0)
         {
-            Last now;
-            now.algorithm = parameters_.algorithm;
-            now.size = image.size();
-            now.num_superpixels = frame.num_superpixels;
-            const bool temporal = parameters_.temporal && markers_.empty();
-            frame.follows = temporal && now == last;
-            num_labels_ = has_lines_ ? plain_.run(frame, parameters_, part)
-                                     : region_guided_.run(frame, parameters_, num_iterations, part);
-            if (temporal)
-                last_ = now;
-            if (!frame.mask.empty())
-                max(part, Scalar(-1), part);
-        }
-        else
             part.setTo(Scalar(-1));
+            return;
+        }
+        Last now;
+        now.algorithm = used_.algorithm;
+        now.size = image.size();
+        now.num_superpixels = frame.num_superpixels;
+        const bool temporal = used_.temporal && markers_.empty();
+        frame.follows = temporal && now == last;
+        num_labels_ = used_.algorithm == GWATERSHED ? plain_.run(frame, used_, part)
+                                                    : region_guided_.run(frame, used_, num_iterations, part);
+        if (!frame.mask.empty())
+            max(part, Scalar(-1), part);
+        if (temporal)
+            last_ = now;
     }
 
-    //! @note Depth outside of the mask is dropped first, so that it has no influence on the scale.
-    void makeFrame(const Mat& image, const Mat& depth, gws::Frame& frame)
+    //! What is segmented inside of the bounds. A mask that is full there is none.
+    gws::Frame makeFrame(const Mat& image, const Mat& depth)
     {
-        if (!mask_.empty())
+        gws::Frame frame;
+        frame.num_pixels = mask_.empty() ? bounds_.area() : countNonZero(mask_(bounds_));
+        if (frame.num_pixels < bounds_.area())
             frame.mask = mask_(bounds_);
-        frame.num_pixels = frame.mask.empty() ? bounds_.area() : countNonZero(frame.mask);
-        if (frame.num_pixels == bounds_.area())
-            frame.mask.release();
-
-        frame.color = gws::convertImage(image(bounds_), converted_);
-        if (!depth.empty() && frame.mask.empty())
-            frame.depth = scaleDepth(depth(bounds_), scaled_);
-        else if (!depth.empty())
-        {
-            Mat inside = Mat::zeros(bounds_.size(), depth.type());
-            depth(bounds_).copyTo(inside, frame.mask);
-            frame.depth = scaleDepth(inside, scaled_);
-        }
-
-        frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
+        frame.color = gws::convertImage(image, converted_);
+        frame.depth = scaleInside(depth, frame.mask, scaled_);
+        frame.num_superpixels = used_.countSuperpixels(frame.num_pixels);
         if (!markers_.empty())
-            frame.num_superpixels = gws::numberMarkers(markers_(bounds_), frame.mask, frame.markers);
+        {
+            frame.num_superpixels = gws::numberMarkers(markers_(bounds_), frame.mask, numbered_);
+            frame.markers = numbered_;
+        }
+        return frame;
     }
 
     void buildHierarchy(const Mat& labels)
     {
-        const gws::RegionDistance distance = gws::RegionWatershed::floodDistance(parameters_.alpha);
-        if (has_lines_)
+        const gws::RegionDistance distance = gws::floodDistance(used_.alpha);
+        if (used_.algorithm == GWATERSHED)
         {
             gws::Padded<gws::Feature> features;
-            plain_.makeFeatures(parameters_.uniform_color, features);
+            plain_.makeFeatures(used_.uniform_color, features);
             hierarchy_.build(features, distance, labels, num_labels_);
         }
         else
@@ -341,7 +349,8 @@ private:
     int num_labels_ = 0;
     Mat labels_;
     Rect bounds_;          // of the mask; outside of it all labels are -1
-    bool has_lines_ = false; // the segmentation is by GWATERSHED
+    gws::Parameters used_;  // parameters and mask of the segmentation
+    Mat used_mask_;
     gws::MergeHierarchy hierarchy_;
     Last last_;
 
@@ -349,7 +358,7 @@ private:
     gws::PlainWatershed plain_;
     gws::RegionWatershed region_guided_;
     bool complete_ = true; // the last run was not broken off by an exception
-    Mat converted_, scaled_;
+    Mat converted_, scaled_, numbered_;
 };
 
 } // namespace

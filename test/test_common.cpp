@@ -217,6 +217,19 @@ void expectPartition(const Mat& labels, Size size, int num_labels)
     EXPECT_EQ(num_labels, countPieces(labels));
 }
 
+Rect boundsOf(const std::vector<Point>& points)
+{
+    if (points.empty())
+        return Rect();
+    Point low = points[0], high = points[0];
+    for (size_t i = 1; i < points.size(); i++)
+    {
+        low = Point(std::min(low.x, points[i].x), std::min(low.y, points[i].y));
+        high = Point(std::max(high.x, points[i].x), std::max(high.y, points[i].y));
+    }
+    return Rect(low, high + Point(1, 1));
+}
+
 int countMaskPieces(const Mat& mask)
 {
     Mat own(mask.size(), CV_32SC1, Scalar(0)); // each pixel outside has a number of its own

@@ -13,7 +13,7 @@ namespace opencv_test
 //! The algorithms that every property is asked of.
 #define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED), int(RGWATERSHED))
 
-//! Expects an exception whose message names a word, and the same labels as before it.
+//! Expects an exception whose message has a word.
 #define EXPECT_REFUSED(statement, word) \
     do { \
         bool refused = false; \
@@ -55,6 +55,9 @@ int countPieces(const Mat& labels);
 void expectPartition(const Mat& labels, Size size, int num_labels);
 //! The same inside of a mask, -1 outside.
 void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels);
+//! Bounding box of points; cv::boundingRect() is in another module in OpenCV 5, and wrong for masks two pixels wide
+//! in 4.6.
+Rect boundsOf(const std::vector<Point>& points);
 //! Number of 4-connected pieces of a mask.
 int countMaskPieces(const Mat& mask);
 bool equalMats(const Mat& a, const Mat& b);

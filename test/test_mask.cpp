@@ -100,12 +100,15 @@ TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
 {
     const Mat image = makeScene(Size(50, 40), theRNG());
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->iterate(makeScene(Size(90, 80), theRNG())); // leaves lines, which must not come back
     gws->setMask(Mat::zeros(image.size(), CV_8UC1));
     gws->iterate();
     EXPECT_EQ(0, gws->getNumberOfSuperpixels());
     EXPECT_FALSE(gws->empty());
     EXPECT_EQ(0, cvtest::norm(labelsOf(gws), Mat(image.size(), CV_32SC1, Scalar(-1)), NORM_INF));
-    Mat contours, stats, centroids, colors, pairs, lengths, heights;
+    Mat contours, lines, stats, centroids, colors, pairs, lengths, heights;
+    gws->getWatershedLineMask(lines);
+    EXPECT_EQ(0, countNonZero(lines));
     gws->getLabelContourMask(contours);
     EXPECT_EQ(0, countNonZero(contours));
     gws->getStatistics(image, noArray(), stats, centroids, colors, noArray());
@@ -119,6 +122,66 @@ TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
     gws->enforceLabelConnectivity();
     gws->mergeSimilar(3);
     EXPECT_EQ(0, gws->getNumberOfSuperpixels());
+}
+
+TEST_P(ximgproc_GWatershed_mask, more_specks_than_superpixels)
+{
+    Mat image(64, 12000, CV_8UC3), mask = Mat::zeros(image.size(), CV_8UC1);
+    theRNG().fill(image, RNG::UNIFORM, 0, 256);
+    mask.rowRange(0, 60).setTo(Scalar(1));
+    for (int i = 0; i < 20; i++)
+        mask.at<uchar>(62, 3 + 500 * i) = 1;
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->setNumSuperpixels(10);
+    gws->setMask(mask);
+    gws->iterate();
+    EXPECT_EQ(21, gws->getNumberOfSuperpixels());
+    expectMaskedPartition(labelsOf(gws), mask, 21);
+}
+
+//! Everything that an object tells.
+std::vector<Mat> askEverything(const Ptr<SuperpixelGWatershed>& gws, const Mat& image)
+{
+    std::vector<Mat> answers(11);
+    gws->getLabels(answers[0]);
+    gws->getLabelContourMask(answers[1]);
+    gws->getWatershedLineMask(answers[2]);
+    gws->getStatistics(image, noArray(), answers[3], answers[4], answers[5]);
+    gws->getAdjacency(image, noArray(), answers[6], answers[7], answers[8]);
+    gws->mergeSimilar(5);
+    gws->getLabels(answers[9]);
+    gws->enforceLabelConnectivity(50);
+    gws->getLabels(answers[10]);
+    return answers;
+}
+
+TEST_P(ximgproc_GWatershed_mask, reused_object_equals_a_fresh_one)
+{
+    RNG& rng = theRNG();
+    Ptr<SuperpixelGWatershed> reused = createSuperpixelGWatershed(1, 1, 3, 1);
+    for (int i = 0; i < 60; i++)
+    {
+        const Size size(rng.uniform(1, 130), rng.uniform(1, 100));
+        const Mat image = makeImage(ImageKind(rng.uniform(0, int(IMAGE_KINDS))), size, 3, rng);
+        const Mat mask = i % 2 ? makeMask(MaskKind(rng.uniform(0, int(MASK_KINDS))), size, rng) : Mat();
+        const Mat markers = i % 5 == 4 ? makeMarkers(size, rng.uniform(0, 20), rng) : Mat();
+        Ptr<SuperpixelGWatershed> fresh = createSuperpixelGWatershed(1, 1, 3, 1);
+        const int region_size = rng.uniform(2, 20), algorithm = i % 7 == 6 ? int(GWATERSHED) : GetParam();
+        Ptr<SuperpixelGWatershed> both[2] = { reused, fresh };
+        std::vector<Mat> answers[2];
+        for (int k = 0; k < 2; k++)
+        {
+            both[k]->setAlgorithm(algorithm);
+            both[k]->setRegionSize(region_size);
+            both[k]->setMask(mask);
+            both[k]->setMarkers(markers);
+            both[k]->iterate(image, 1 + i % 3);
+            answers[k] = askEverything(both[k], image);
+        }
+        for (size_t k = 0; k < answers[0].size(); k++)
+            EXPECT_TRUE(answers[0][k].empty() ? answers[1][k].empty() : equalMats(answers[0][k], answers[1][k]))
+                    << "image " << i << ", answer " << k;
+    }
 }
 
 TEST_P(ximgproc_GWatershed_mask, refuses_wrong_masks_and_stays_usable)

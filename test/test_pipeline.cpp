@@ -59,7 +59,7 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_equal_brute_force)
         {
             std::vector<Point> points;
             findNonZero(labels == k, points);
-            const Rect box = boundingRect(points);
+            const Rect box = boundsOf(points);
             EXPECT_EQ(box, Rect(stats.at<int>(k, CC_STAT_LEFT), stats.at<int>(k, CC_STAT_TOP),
                                 stats.at<int>(k, CC_STAT_WIDTH), stats.at<int>(k, CC_STAT_HEIGHT)));
             EXPECT_EQ(int(points.size()), stats.at<int>(k, CC_STAT_AREA));
@@ -134,14 +134,19 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
     {
         const Size size(rng.uniform(1, 160), rng.uniform(1, 120));
         const Mat image = makeScene(size, rng);
-        Mat depth;
+        Mat depth, plain_depth;
         if (i % 3 == 0)
         {
             depth = makeDepth(size, 0.2, rng);
             depth.convertTo(depth, CV_8U, 0.05);
+            plain_depth = depth;
         }
-        Ptr<SuperpixelGWatershed> gws = segmentScene(GetParam(), size, i, image, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), rng.uniform(3, 25));
+        if (i % 2)
+            gws->setMask(makeMask(MaskKind(i / 2 % MASK_KINDS), size, rng));
         gws->setAlpha(0.25f);
+        gws->iterate();
+        gws->setAlpha(0.75f); // not before the next iterate()
         Mat pairs, lengths, heights;
         gws->getAdjacency(image, depth, pairs, lengths, heights);
 
@@ -160,7 +165,7 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
                         continue;
                     std::pair<int, double>& edge = expected[std::make_pair(a, b)];
                     edge.first++;
-                    edge.second += pixelDistance(image, depth, p, q, 64);
+                    edge.second += pixelDistance(image, plain_depth, p, q, 64);
                 }
         ASSERT_EQ(expected.size(), pairs.empty() ? 0u : size_t(pairs.rows));
         if (expected.empty())
@@ -181,6 +186,23 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
             EXPECT_NEAR(e->second.second / e->second.first, heights.at<float>(row), 1e-4);
         }
     }
+}
+
+TEST_P(ximgproc_GWatershed_pipeline, heights_do_not_see_depth_outside_of_the_mask)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(120, 90), rng), depth = makeDepth(image.size(), 0.1, rng);
+    const Mat mask = makeMask(DISCS, image.size(), rng);
+    Mat other = depth.clone();
+    other.setTo(Scalar(60000), mask == 0);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
+    gws->setMask(mask);
+    gws->iterate(image, depth);
+    Mat pairs, lengths, heights, heights_of_other;
+    gws->getAdjacency(image, depth, pairs, lengths, heights);
+    gws->getAdjacency(image, other, pairs, lengths, heights_of_other);
+    EXPECT_GT(pairs.rows, 20);
+    EXPECT_TRUE(equalMats(heights, heights_of_other));
 }
 
 //! Number of pieces of a graph of n nodes.
@@ -230,11 +252,12 @@ TEST_P(ximgproc_GWatershed_pipeline, tables_are_refused_for_images_of_another_si
     EXPECT_REFUSED(gws->getAdjacency(image, noArray(), tables[0], tables[1], tables[2]), "iterate");
     EXPECT_REFUSED(gws->mergeSimilar(3), "iterate");
     gws->iterate();
-    EXPECT_REFUSED(gws->getStatistics(wrong, noArray(), tables[0], tables[1], tables[2], tables[3]), "image must have the size");
-    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], tables[2], tables[3]), "depth must have the size");
-    EXPECT_REFUSED(gws->getStatistics(image, image, tables[0], tables[1], tables[2], tables[3]), "depth must be");
-    EXPECT_REFUSED(gws->getAdjacency(wrong, noArray(), tables[0], tables[1], tables[2]), "image must have the size");
-    EXPECT_REFUSED(gws->getAdjacency(Mat(image.size(), CV_64FC3), noArray(), tables[0], tables[1], tables[2]), "image must be");
+    EXPECT_REFUSED(gws->getStatistics(wrong, noArray(), tables[0], tables[1]), "image must have the size");
+    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1]), "depth must have the size");
+    EXPECT_REFUSED(gws->getStatistics(image, image, tables[0], tables[1]), "depth must be");
+    EXPECT_REFUSED(gws->getAdjacency(wrong, noArray(), tables[0], tables[1]), "image must have the size");
+    EXPECT_REFUSED(gws->getAdjacency(Mat(image.size(), CV_64FC3), noArray(), tables[0], tables[1]), "image must be");
+    EXPECT_REFUSED(gws->getAdjacency(noArray(), Mat(image.size(), CV_16UC1), tables[0], tables[1], tables[2]), "depth");
     EXPECT_REFUSED(gws->mergeSimilar(0), "num_superpixels");
     gws->getStatistics(image, noArray(), tables[0], noArray(), tables[2], noArray());
     EXPECT_EQ(gws->getNumberOfSuperpixels(), tables[0].rows);
@@ -269,6 +292,12 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_gives_nested_partitions)
         const Mat image = makeImage(ImageKind(i / 2), size, 3, rng), depth = makeDepth(size, 0.2, rng);
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, 600);
         gws->setAlgorithm(GetParam());
+        if (i % 4 == 3)
+        {
+            Mat mask(size, CV_8UC1, Scalar(255));
+            circle(mask, Point(100, 50), 20, Scalar(0), FILLED);
+            gws->setMask(mask);
+        }
         if (i % 2)
             gws->iterate(image, depth);
         else
@@ -276,14 +305,17 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_gives_nested_partitions)
         Mat finer = labelsOf(gws);
         const Mat first = finer;
         std::map<int, Mat> levels;
-        const int numbers[] = { 500, 200, 50, 7, 1 };
+        const int numbers[] = { 500, 200, 50, 7, 1 }; // the mask is one piece
         int before = 600;
         for (int k = 0; k < 5; k++)
         {
             gws->mergeSimilar(numbers[k]);
             const Mat labels = labelsOf(gws);
             ASSERT_EQ(numbers[k], gws->getNumberOfSuperpixels());
-            ASSERT_NO_FATAL_FAILURE(expectPartition(labels, size, numbers[k]));
+            if (i % 4 == 3)
+                ASSERT_NO_FATAL_FAILURE(expectMaskedPartition(labels, labels >= 0, numbers[k]));
+            else
+                ASSERT_NO_FATAL_FAILURE(expectPartition(labels, size, numbers[k]));
             EXPECT_TRUE(isNested(finer, labels, before));
             levels[numbers[k]] = finer = labels;
             before = numbers[k];
@@ -297,6 +329,110 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_gives_nested_partitions)
     }
 }
 
+//! The features that merging compares: opponent colours, as in the documentation of RGWATERSHED.
+Vec3d opponentColor(const Vec3b& c)
+{
+    const int b = c[0], g = c[1], r = c[2];
+    return Vec3d(0.5 * ((r + 2 * g + b + 2) / 4), (r - g + 256) / 2, (r + g - 2 * b + 514) / 4);
+}
+
+//! The cost of mergeSimilar() for all neighbours of a label map, from its documentation.
+std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& labels, int n)
+{
+    std::vector<double> areas(n, 0.);
+    std::vector<Vec3d> means(n, Vec3d::all(0));
+    std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+        {
+            const Vec3d color = opponentColor(image.at<Vec3b>(y, x));
+            areas[labels.at<int>(y, x)]++;
+            means[labels.at<int>(y, x)] += color;
+            for (int k = 0; k < 2; k++)
+            {
+                const Point q(x + (k == 0), y + (k == 1));
+                if (q.x == labels.cols || q.y == labels.rows || labels.at<int>(q) == labels.at<int>(y, x))
+                    continue;
+                const int a = std::min(labels.at<int>(q), labels.at<int>(y, x));
+                const int b = std::max(labels.at<int>(q), labels.at<int>(y, x));
+                std::pair<double, double>& boundary = boundaries[std::make_pair(a, b)];
+                boundary.first++;
+                boundary.second += cv::norm(color - opponentColor(image.at<Vec3b>(q)), NORM_L1);
+            }
+        }
+    for (int i = 0; i < n; i++)
+        means[i] /= areas[i];
+    std::map<std::pair<int, int>, double> costs;
+    std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
+    for (; e != boundaries.end(); ++e)
+    {
+        const double na = areas[e->first.first], nb = areas[e->first.second], l = e->second.first;
+        const Vec3d d = means[e->first.first] - means[e->first.second];
+        costs[e->first] = (d.dot(d) + 4) * std::pow(na * nb / (na + nb), 1.75) *
+                          std::sqrt(e->second.second / l + 1) / (l / std::sqrt(std::min(na, nb)));
+    }
+    return costs;
+}
+
+// Each step must merge the cheapest pair, within the steps of the logarithms, which are straight between powers of two.
+TEST_P(ximgproc_GWatershed_pipeline, merging_takes_the_cheapest_pair)
+{
+    RNG& rng = theRNG();
+    int steps = 0, best = 0;
+    for (int i = 0; i < 6; i++)
+    {
+        const Mat image = makeScene(Size(80, 60), rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
+        gws->iterate();
+        int n = gws->getNumberOfSuperpixels();
+        Mat before = labelsOf(gws);
+        for (; n > 1; n--)
+        {
+            const std::map<std::pair<int, int>, double> costs = mergeCosts(image, before, n);
+            gws->mergeSimilar(n - 1);
+            const Mat after = labelsOf(gws);
+            double chosen = 0, lowest = DBL_MAX;
+            std::map<std::pair<int, int>, double>::const_iterator e = costs.begin();
+            for (; e != costs.end(); ++e)
+            {
+                std::vector<Point> a, b;
+                findNonZero(before == e->first.first, a);
+                findNonZero(before == e->first.second, b);
+                if (after.at<int>(a[0]) == after.at<int>(b[0]))
+                    chosen = e->second;
+                lowest = std::min(lowest, e->second);
+            }
+            ASSERT_LE(chosen, 1.35 * lowest) << n << " superpixels";
+            steps++;
+            best += chosen == lowest;
+            before = after;
+        }
+    }
+    EXPECT_GT(best, 0.7 * steps);
+}
+
+TEST_P(ximgproc_GWatershed_pipeline, a_superpixel_with_very_many_neighbours_takes_no_longer)
+{
+    const Size size(640, 640);
+    Mat image(size, CV_8UC3), markers(size, CV_32SC1, Scalar(1)), pairs, lengths;
+    theRNG().fill(image, RNG::UNIFORM, 0, 256);
+    int count = 1;
+    for (int y = 1; y < size.height; y += 2)
+        for (int x = 1; x < size.width; x += 2)
+            markers.at<int>(y, x) = ++count;
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->setMarkers(markers);
+    gws->iterate();
+    const int64 start = getTickCount();
+    gws->getAdjacency(noArray(), noArray(), pairs, lengths);
+    gws->mergeSimilar(1);
+    EXPECT_EQ(1, gws->getNumberOfSuperpixels());
+    gws->iterate();
+    gws->enforceLabelConnectivity(100);
+    EXPECT_EQ(count - 1, pairs.rows);
+    EXPECT_LT(double(getTickCount() - start) / getTickFrequency(), 5) << "seconds";
+}
+
 TEST_P(ximgproc_GWatershed_pipeline, merging_starts_from_what_was_merged_for_size)
 {
     const Mat image = makeImage(NOISE, Size(120, 90), 3, theRNG());
@@ -307,6 +443,7 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_starts_from_what_was_merged_for_siz
     const Mat labels = labelsOf(gws);
     const int n = gws->getNumberOfSuperpixels();
     gws->mergeSimilar(20);
+    gws->enforceLabelConnectivity(0); // merges nothing, so the finer levels are still there
     EXPECT_TRUE(isNested(labels, labelsOf(gws), n));
     gws->mergeSimilar(10000);
     EXPECT_TRUE(equalMats(labels, labelsOf(gws)));

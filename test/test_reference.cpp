@@ -340,9 +340,9 @@ TEST(ximgproc_SuperpixelGWatershed, equals_plain_transcription_with_markers_and_
         const Mat image = makeImage(ImageKind(i % IMAGE_KINDS), size, i % 5 ? 3 : 1, rng);
         const Mat markers = makeMarkers(size, rng.uniform(1, 40), rng);
         const Mat mask = i % 2 ? makeMask(MaskKind(i / 2 % MASK_KINDS), size, rng) : Mat();
-        std::vector<Point> points; // boundingRect(mask) of OpenCV 4.6.0 is wrong where the image is two pixels wide
+        std::vector<Point> points;
         findNonZero(mask.empty() ? Mat(size, CV_8UC1, Scalar(1)) : mask, points);
-        const Rect box = points.empty() ? Rect() : boundingRect(points);
+        const Rect box = boundsOf(points);
 
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GWATERSHED, 10);
         gws->setMask(mask);

@@ -67,15 +67,15 @@ to the most similar neighbour at the end.
 
 **Result.** Every pixel has a label, every label of [0, N) occurs, and the pixels of one label are
 one 4-connected component. Labels are in the order of the
-cells of the grid of markers. The result depends on the
-image, the depth and the parameters only: it is the same for any number of threads, in every run,
-and for a submatrix and its clone. setMask(), setMarkers() and setTemporal() say what else is possible:
-pixels without a label, which are -1, markers of the user, and labels that stay from frame to frame.
+cells of the grid of markers. The result depends on the image, the depth and the parameters only: it is
+the same for any number of threads, in every run, and for a submatrix and its clone. setMask(),
+setMarkers() and setTemporal() say what else is possible: pixels without a label, which are -1, markers
+of the user, and labels that stay from frame to frame.
 
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
-ignored), as Mat or UMat. White is 255, 65535 or 1.0; NaN and infinity count as black. The image is brought to 8 bits; stretch one
-that uses a small part of its range beforehand. Three channels are BGR, and RGWATERSHED converts
-them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
+ignored), as Mat or UMat. White is 255, 65535 or 1.0; NaN and infinity count as black. The image is
+brought to 8 bits; stretch one that uses a small part of its range beforehand. Three channels are BGR, and
+RGWATERSHED converts them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
 compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
 than 2^31 - 3.
 
@@ -99,7 +99,7 @@ segmentation.
 
 **Cost.** Time and memory are linear in the number of pixels; merging adds a few microseconds for each
 superpixel, most of the time where superpixels are smaller than about 10x10 pixels. Buffers of the
-size of the image stay from one image to the next; merging allocates for each superpixel.
+size of the image, and those of the regions, stay from one image to the next.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -179,8 +179,8 @@ public:
     which it has the longest common boundary. Labels are numbered anew without gaps, in the old
     order; N falls.
 
-    @param min_element_size Smallest area allowed, in percent of the mean area (number of pixels
-    over N), in [0, 100]. 0 merges nothing. A superpixel without a neighbour stays as it is.
+    @param min_element_size Smallest area allowed, in percent of the mean area (number of pixels with a
+    label over N), in [0, 100]. 0 merges nothing. A superpixel without a neighbour stays as it is.
 
     Throws cv::Exception before the first iterate().
     */
@@ -198,18 +198,22 @@ public:
         gws->mergeSimilar(800);      // back to a finer level of the same hierarchy
     @endcode
 
-    The first call after iterate(), or after enforceLabelConnectivity(), finds the order in which all
-    superpixels are merged; every call takes the first steps of it. So the partitions for all numbers
+    The first call after iterate(), or after enforceLabelConnectivity() has merged some, finds the order in
+    which all superpixels are merged; every call takes the first steps of it. So the partitions for all numbers
     are nested, whatever the order of the calls, and a call after the first costs little more than
     writing the labels. Superpixels stay connected. Labels are numbered anew without gaps, in the
     old order.
 
     The order is greedy: the pair of neighbours with the lowest cost goes next. The cost is Ward's
-    criterion, as stepwise optimization @cite Beaulieu1989 uses it, with three changes found by
-    measurement: @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75} (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
-    d is the distance of the mean colours and depths, in 8-bit levels and weighted by alpha, n the
-    number of pixels, l the length of the common boundary and h the mean height along it: the mean
-    distance of the pixels on both sides.
+    criterion, as stepwise optimization @cite Beaulieu1989 uses it, with changes found by measurement:
+    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75}
+        (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
+    d is the distance of the mean colours and depths, n the number of pixels, l the length of the common
+    boundary in pixel edges and h the mean difference of the pixels on both sides of it. d, a root of a sum of
+    squares, and h, a sum, are in 8-bit levels of the opponent space in which RGWATERSHED works, with lightness
+    halved, or of the colours as they are after setUniformColor(true); alpha weighs depth as it does there. It is
+    computed with logarithms in steps of 1/64 of a doubling, and a pair whose cost falls without a longer boundary
+    is noticed late in superpixels of more than 32 neighbours.
 
     @param num_superpixels Number to reach, 1 or more. Where more are left because the rest do not touch,
     across the outside of a mask, N is larger; where there are fewer to begin with, nothing is merged.
@@ -221,11 +225,11 @@ public:
     /** @brief Measures all superpixels in one pass: area, bounding box, centroid, mean colour, mean depth.
 
     @code{.cpp}
-        gws->getStatistics(image, noArray(), stats, centroids, mean_colors, noArray());
+        gws->getStatistics(image, noArray(), stats, centroids, mean_colors);
     @endcode
 
     @param image Image of the size of the label map, of any depth and number of channels: the one that was
-    segmented, or another one, as optical flow or normals. Empty: no mean colours.
+    segmented, or another one, as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
     @param depth CV_8UC1, CV_16UC1 or CV_32FC1 depth map of the same size. Empty: no mean depths.
     @param stats N x 5 CV_32SC1, a row for each superpixel, columns as of connectedComponentsWithStats():
     CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA, in pixels.
@@ -234,26 +238,28 @@ public:
     @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels where it is valid: larger than 0 and
     finite. NaN where there is none.
 
-    Throws cv::Exception before the first iterate().
+    A table without rows is None in Python. Throws cv::Exception before the first iterate().
     */
     CV_WRAP virtual void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
-                                       OutputArray mean_colors, OutputArray mean_depths) const = 0;
+                                       OutputArray mean_colors = noArray(),
+                                       OutputArray mean_depths = noArray()) const = 0;
 
     /** @brief Lists the superpixels that touch: the region adjacency graph.
 
     @param image Image of the size of the label map, of a type that iterate() takes, for the heights: the one that
-    was segmented, or another one. Empty: no heights.
-    @param depth Depth of that image, used as iterate() uses it. Empty: colour alone.
+    was segmented, or another one. Empty (noArray(), None in Python): no heights.
+    @param depth Depth of that image, with the range and alpha of the last iterate(). Empty: colour alone.
     @param pairs M x 2 CV_32SC1: labels a < b of two superpixels with a common boundary, in rows
     sorted by a, then b. Pixels touch if they are 4-neighbours.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
     @param heights M x 1 CV_32FC1, mean height of the boundary: the mean of the distance of the pixels on both
     sides of its edges, equations (1) to (3) of the paper, 0..255.
 
-    Without a mask the graph is connected. Throws cv::Exception before the first iterate().
+    Without a mask or markers of the user the graph is connected. A table without rows is None in Python. Throws
+    cv::Exception before the first iterate().
     */
     CV_WRAP virtual void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
-                                      OutputArray heights) const = 0;
+                                      OutputArray heights = noArray()) const = 0;
 
     //! @}
 
@@ -265,10 +271,12 @@ public:
     Outside pixels have the label -1 and are 0 in the masks of contours and lines; what they look like changes
     nothing inside. The number of superpixels and the region size count pixels inside only. Every connected
     component of the mask has at least one superpixel: N is the number asked for or, if that is larger, the
-    number of components. A mask that is zero everywhere gives N = 0.
+    number of components. Labels are in the order of the components then, specks last. A mask that is zero
+    everywhere gives N = 0.
 
-    @param mask CV_8UC1, non-zero inside; iterate() throws if it has not the size of the image. It is
-    copied, and stays until it is replaced, or dropped by an empty one or by clear().
+    @param mask CV_8UC1, non-zero inside (in Python, `inside.astype(np.uint8)` of a boolean array); iterate()
+    throws if it has not the size of the image. It is copied, and stays until it is replaced, or dropped by an
+    empty one or by clear().
     */
     CV_WRAP virtual void setMask(InputArray mask) = 0;
 
@@ -278,10 +286,12 @@ public:
     superpixels and the region size do not count. Markers keep all of their pixels. They may touch each
     other and the border of the image; of a marker in several pieces, the superpixel has as many at most. Pixels
     that no marker reaches, in other components of a mask, have the label -1, and all of them if there
-    is no marker. RGWATERSHED floods pixels then, not blocks of them, which takes longer.
+    is no marker. RGWATERSHED floods pixels then, not blocks of them, which takes longer, and the ruler acts where
+    boundaries are settled, not in the flood.
 
-    @param markers CV_32SC1: positive values are markers, others unknown; iterate() throws if it has not
-    the size of the image. It is copied, and stays until it is replaced, or dropped by an empty one or by clear().
+    @param markers CV_32SC1: positive values are markers, others unknown, so a label map of getLabels() needs 1
+    added; iterate() throws if it has not the size of the image. It is copied, and stays until it is replaced, or
+    dropped by an empty one or by clear().
     */
     CV_WRAP virtual void setMarkers(InputArray markers) = 0;
 
@@ -347,8 +357,9 @@ public:
     explain the image much worse than when they were made are made anew, as many as before, and their
     labels go to new ones, so N stays what it was. If half of the image has changed, all start anew. For
     GWATERSHED, each marker moves to the middle of its last region; those of regions that have all but vanished
-    move into the largest ones. A frame of another size, mask or number of superpixels, or with markers of
-    the user, starts anew, and so does the first one after clear(). If false, the default, each frame is segmented by itself.
+    move into the largest ones. A frame of another size, mask, number of superpixels or algorithm, one with
+    markers of the user and the first one after clear() start anew, and for RGWATERSHED one with a ruler so
+    different that other blocks are flooded. If false, the default, each frame is segmented by itself.
     @note Merging, by mergeSimilar() or enforceLabelConnectivity(), numbers labels anew for one frame; the next
     frame goes on from what iterate() gave. */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
