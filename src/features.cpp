@@ -7,27 +7,20 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Rows that one task takes, so that they are still in the cache when they are converted.
+static const int BAND = 16;
+
 //! The opponent space: lightness (R + 2G + B) / 4, and the differences of red against green and
 //! of yellow against blue, halved and shifted to 0..255.
 //! @note Measured level with CIELAB as the space of superpixels (doc/log.md), and a few additions.
-static void convertFromBGR(const uchar* from, int cn, Feature* to, int cols)
+static void convertFromBGR(Feature* row, int cols)
 {
-    for (int x = 0; x < cols; x++, from += cn)
+    for (int x = 0; x < cols; x++)
     {
-        const int b = from[0], g = from[1], r = from[2];
-        to[x].color[0] = uchar((r + 2 * g + b + 2) >> 2);
-        to[x].color[1] = uchar((r - g + 256) >> 1);
-        to[x].color[2] = uchar((r + g - 2 * b + 512 + 2) >> 2);
-        to[x].depth = 0;
-    }
-}
-
-static void copyColor(const uchar* from, int cn, Feature* to, int cols)
-{
-    for (int x = 0; x < cols; x++, from += cn)
-    {
-        const Feature f = { { from[0], from[1], from[2] }, 0 };
-        to[x] = f;
+        const int b = row[x].color[0], g = row[x].color[1], r = row[x].color[2];
+        row[x].color[0] = uchar((r + 2 * g + b + 2) >> 2);
+        row[x].color[1] = uchar((r - g + 256) >> 1);
+        row[x].color[2] = uchar((r + g - 2 * b + 512 + 2) >> 2);
     }
 }
 
@@ -35,29 +28,41 @@ static void copyGray(const uchar* from, Feature* to, int cols)
 {
     for (int x = 0; x < cols; x++)
     {
-        const Feature f = { { from[x], 128, 128 }, 0 };
-        to[x] = f;
+        to[x].color[0] = from[x];
+        to[x].color[1] = to[x].color[2] = 128;
     }
+}
+
+static void setDepth(const uchar* from, Feature* to, int cols)
+{
+    for (int x = 0; x < cols; x++)
+        to[x].depth = from ? from[x] : uchar(0);
 }
 
 void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features)
 {
     CV_TRACE_FUNCTION();
-    const int cn = color.channels();
     features.create(color.size(), Feature());
-    parallel_for_(Range(0, color.rows), [&](const Range& range)
+    const Mat map = features.view(CV_8UC4);
+    parallel_for_(Range(0, (color.rows + BAND - 1) / BAND), [&](const Range& bands)
     {
-        for (int y = range.start; y < range.end; y++)
+        const Range rows(bands.start * BAND, std::min(bands.end * BAND, color.rows));
+        for (int top = rows.start; top < rows.end; top += BAND)
         {
-            Feature* to = features.row(y);
-            if (cn == 1)
-                copyGray(color.ptr(y), to, color.cols);
-            else if (uniform_color)
-                copyColor(color.ptr(y), cn, to, color.cols);
-            else
-                convertFromBGR(color.ptr(y), cn, to, color.cols);
-            for (int x = 0; x < color.cols && !depth.empty(); x++)
-                to[x].depth = depth.at<uchar>(y, x);
+            const Range band(top, std::min(top + BAND, rows.end));
+            Mat part = map.rowRange(band);
+            if (color.channels() == 3)
+                cvtColor(color.rowRange(band), part, COLOR_BGR2BGRA);
+            else if (color.channels() == 4)
+                color.rowRange(band).copyTo(part);
+            for (int y = band.start; y < band.end; y++)
+            {
+                if (color.channels() == 1)
+                    copyGray(color.ptr(y), features.row(y), color.cols);
+                else if (!uniform_color)
+                    convertFromBGR(features.row(y), color.cols);
+                setDepth(depth.empty() ? 0 : depth.ptr(y), features.row(y), color.cols);
+            }
         }
     });
 }
@@ -69,7 +74,25 @@ static uchar meanDepth(int a, int b, int c, int d)
     return valid ? uchar((a + b + c + d + valid / 2) / valid) : uchar(0);
 }
 
-void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved)
+//! Means of 2x2 pixels without depth.
+static void halveColors(const Feature* upper, const Feature* lower, Feature* to, int cols)
+{
+    for (int x = 0; x < cols; x++)
+    {
+        for (int k = 0; k < 3; k++)
+            to[x].color[k] = uchar((upper[2 * x].color[k] + upper[2 * x + 1].color[k] +
+                                    lower[2 * x].color[k] + lower[2 * x + 1].color[k] + 2) >> 2);
+        to[x].depth = 0;
+    }
+}
+
+static void halveDepths(const Feature* upper, const Feature* lower, Feature* to, int cols)
+{
+    for (int x = 0; x < cols; x++)
+        to[x].depth = meanDepth(upper[2 * x].depth, upper[2 * x + 1].depth, lower[2 * x].depth, lower[2 * x + 1].depth);
+}
+
+void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feature>& halved)
 {
     CV_TRACE_FUNCTION();
     const Size size = features.size(), half((size.width + 1) / 2, (size.height + 1) / 2);
@@ -80,15 +103,15 @@ void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved)
         {
             const Feature* upper = features.row(2 * y);
             const Feature* lower = features.row(std::min(2 * y + 1, size.height - 1));
-            Feature* to = halved.row(y);
-            for (int x = 0; x < half.width; x++)
+            halveColors(upper, lower, halved.row(y), size.width / 2);
+            if (with_depth)
+                halveDepths(upper, lower, halved.row(y), size.width / 2);
+            if (size.width % 2)
             {
-                const int left = 2 * x, right = std::min(2 * x + 1, size.width - 1);
-                for (int k = 0; k < 3; k++)
-                    to[x].color[k] = uchar((upper[left].color[k] + upper[right].color[k] +
-                                            lower[left].color[k] + lower[right].color[k] + 2) >> 2);
-                to[x].depth = meanDepth(upper[left].depth, upper[right].depth,
-                                        lower[left].depth, lower[right].depth);
+                const Feature last_upper[2] = { upper[size.width - 1], upper[size.width - 1] };
+                const Feature last_lower[2] = { lower[size.width - 1], lower[size.width - 1] };
+                halveColors(last_upper, last_lower, halved.row(y) + half.width - 1, 1);
+                halveDepths(last_upper, last_lower, halved.row(y) + half.width - 1, 1);
             }
         }
     });

@@ -80,11 +80,13 @@ Parameters Parameters::read(const FileNode& fn)
 {
     Parameters parameters;
     parameters.setAlgorithm(readValue<int>(fn, "algorithm"));
-    const int num_superpixels = readValue<int>(fn, "num_superpixels");
+    const int region_size = readValue<int>(fn, "region_size"), num_superpixels = readValue<int>(fn, "num_superpixels");
+    CV_Check(region_size, (region_size == 0) != (num_superpixels == 0),
+             "one of region_size and num_superpixels must be 0, and not the other");
     if (num_superpixels != 0)
         parameters.setNumSuperpixels(num_superpixels);
     else
-        parameters.setRegionSize(readValue<int>(fn, "region_size"));
+        parameters.setRegionSize(region_size);
     parameters.setRuler(readValue<float>(fn, "ruler"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
     parameters.uniform_color = readValue<int>(fn, "uniform_color") != 0;

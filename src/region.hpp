@@ -86,6 +86,19 @@ struct Regions
         resize(n);
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
+    //! From sums over blocks to sums over the 2x2 blocks or pixels in them, whose mean they are.
+    void divideBlocks()
+    {
+        for (int i = 0; i < size(); i++)
+        {
+            RegionSum& sum = sums[i];
+            for (int k = 0; k < 3; k++)
+                sum.color[k] *= 4;
+            sum.depth *= 4;
+            sum.area *= 4;
+            sum.depth_area *= 4;
+        }
+    }
     void update(int i) { means[i] = sums[i].mean(); }
     void update()
     {

@@ -81,32 +81,4 @@ void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions&
     regions.update();
 }
 
-void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<int>& boundary)
-{
-    boundary.erase(std::remove_if(boundary.begin(), boundary.end(), [&](int p)
-    {
-        return markers.at<int>(labels.point(p)) >= 0;
-    }), boundary.end());
-}
-
-//! @note The pixels at the border of the image are listed, too: the frame has another label.
-void listBoundary(const Padded<int>& labels, std::vector<int>& boundary)
-{
-    CV_TRACE_FUNCTION();
-    const Size size = labels.size();
-    const int step = labels.step();
-    std::vector<uchar> beside(size.width);
-    boundary.clear();
-    for (int y = 0; y < size.height; y++)
-    {
-        const int* row = labels.row(y);
-        for (int x = 0; x < size.width; x++)
-            beside[x] = ((row[x - 1] != row[x]) | (row[x + 1] != row[x]) |
-                         (row[x - step] != row[x]) | (row[x + step] != row[x])) & (row[x] >= 0);
-        for (int x = 0, p = labels.index(Point(0, y)); x < size.width; x++, p++)
-            if (beside[x])
-                boundary.push_back(p);
-    }
-}
-
 }}} // namespace

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGION_STEPS_HPP
 #define OPENCV_GWATERSHED_REGION_STEPS_HPP
 
+#include "boundary.hpp"
 #include "region.hpp"
 #include "region_graph.hpp"
 
@@ -16,8 +17,8 @@ namespace cv { namespace ximgproc { namespace gws {
 //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
 void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features);
 
-//! Blurred means of blocks of 2x2 pixels; an odd last row or column is repeated. (features.cpp)
-void halveFeatures(const Padded<Feature>& features, Padded<Feature>& halved);
+//! Means of blocks of 2x2 pixels; an odd last row or column is repeated. (features.cpp)
+void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feature>& halved);
 
 //! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1. (features.cpp)
 void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);
@@ -96,12 +97,6 @@ int labelUnseen(int num_regions, Padded<int>& labels);
 //! Regions measured anew; labels below 0 do not count. (region_labels.cpp)
 void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions);
 
-//! Pixels with a 4-neighbour of another label, in raster order. (region_labels.cpp)
-void listBoundary(const Padded<int>& labels, std::vector<int>& boundary);
-
-//! Takes the pixels of markers from the list, so that a sweep does not move them. (region_labels.cpp)
-void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<int>& boundary);
-
 //! Keeps sweeps from making the superpixels worse as an approximation of the colours. (guard.cpp)
 class VariationGuard
 {
@@ -126,18 +121,19 @@ private:
 //! Buffers of a sweep.
 struct SweepBuffers
 {
-    std::vector<uchar> marks; // by pixel; zero between sweeps
-    std::vector<int> chosen;  // region that a pixel of the boundary chose
+    std::vector<BoundaryPixel> boundary; // that is looked at
+    std::vector<int> chosen;  // regions
     std::vector<int> moved;   // pixels
+    std::vector<uchar> marks; // by pixel; zero between sweeps
 };
 
-//! One pass over the boundary: its pixels go to the neighbouring region of the lowest energy, while
-//! each region stays one piece. (refine.cpp)
+//! One pass over a list of the boundary: its pixels go to the neighbouring region of the lowest energy, while
+//! each region stays one piece. Lists those that moved. (refine.cpp)
 //! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
-//! guard may be 0. boundary is replaced by what the next sweep has to look at.
+//! guard may be 0.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, Padded<int>& labels, Regions& regions,
-                   SweepBuffers& buffers, std::vector<int>& boundary);
+                   VariationGuard* guard, const std::vector<BoundaryPixel>& boundary, Padded<int>& labels,
+                   Regions& regions, std::vector<int>& chosen, std::vector<int>& moved);
 
 }}} // namespace
 

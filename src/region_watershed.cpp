@@ -45,15 +45,26 @@ void RegionWatershed::reserve(Size size)
     }
 }
 
-void RegionWatershed::sweep(int level, int count, int length_price, const RegionDistance& distance,
-                            const Frame& frame, VariationGuard* guard)
+//! One sweep over the listed boundary.
+void RegionWatershed::sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
+                                VariationGuard* guard)
 {
-    for (int i = 0; i < count; i++)
+    SweepBuffers& buffers = sweep_buffers_;
+    if (!frame.markers.empty())
+        keepMarkers(frame.markers, labels_[0], buffers.boundary);
+    sweepBoundary(features_[level], distance, length_price, guard, buffers.boundary, labels_[level], regions_,
+                  buffers.chosen, buffers.moved);
+}
+
+//! Sweeps around the pixels that moved in the last one.
+void RegionWatershed::sweepAgain(int count, int level, int length_price, const RegionDistance& distance,
+                                 const Frame& frame, VariationGuard* guard)
+{
+    SweepBuffers& buffers = sweep_buffers_;
+    for (int i = 0; i < count && !buffers.moved.empty(); i++)
     {
-        if (!frame.markers.empty())
-            keepMarkers(frame.markers, labels_[0], boundary_);
-        sweepBoundary(features_[level], distance, length_price, guard, labels_[level], regions_,
-                      sweep_buffers_, boundary_);
+        listBoundaryAround(buffers.moved, labels_[level], buffers.marks, buffers.boundary);
+        sweepOnce(level, length_price, distance, frame, guard);
     }
 }
 
@@ -82,9 +93,10 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     regions_.resize(0);
     floodFromPoints(features, markers_, distance, floodRuler(blocks, num_markers, parameters.ruler), flood_buffers_,
                     labels_[level], regions_);
-    listBoundary(labels_[level], boundary_);
-    sweep(level, SWEEPS_BEFORE_MERGING, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), distance,
-          frame, 0);
+    const int price = boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler);
+    listBoundary(labels_[level], sweep_buffers_.boundary);
+    sweepOnce(level, price, distance, frame, 0);
+    sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, price, distance, frame, 0);
     mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
                         labels_[level], regions_);
 }
@@ -105,14 +117,22 @@ void RegionWatershed::floodFromMarkers(const Frame& frame, const RegionDistance&
 void RegionWatershed::descend(const Frame& frame, int level, const RegionDistance& distance)
 {
     doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
+    regions_.divideBlocks();
     if (frame.mask.empty())
         return;
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], distance, flood_buffers_, labels_[level], regions_);
     if (level > 0)
+    {
         closeUnseen(labels_[level]);
-    else
-        regions_.resize(labelUnseen(regions_.size(), labels_[0]));
+        return;
+    }
+    const int num_regions = labelUnseen(regions_.size(), labels_[0]);
+    if (num_regions > regions_.size())
+    {
+        regions_.resize(num_regions);
+        measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
+    }
 }
 
 int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels)
@@ -133,7 +153,7 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
 
     makeFeatures(frame.color, frame.depth, parameters.uniform_color, features_[0]);
     for (int level = 1; level <= top; level++)
-        halveFeatures(features_[level - 1], features_[level]);
+        halveFeatures(features_[level - 1], !frame.depth.empty(), features_[level]);
     if (!frame.markers.empty())
         floodFromMarkers(frame, distance);
     else if (!frame.follows || top != top_ || !follow(frame, top, price, parameters))
@@ -148,15 +168,19 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
     {
         if (level < top)
             descend(frame, level, distance);
-        measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
-        listBoundary(labels_[level], boundary_);
-        sweep(level, level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS, price, distance, frame, 0);
+        regions_.update();
+        if (level < top && !masked)
+            listBoundaryOfBlocks(labels_[level + 1], labels_[level], sweep_buffers_.boundary);
+        else
+            listBoundary(labels_[level], sweep_buffers_.boundary);
+        sweepOnce(level, price, distance, frame, 0);
+        sweepAgain((level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS) - 1, level, price, distance, frame, 0);
     }
     if (num_iterations > 1)
     {
         VariationGuard guard(frame.color, labels_[0], regions_.size());
-        for (int i = 1; i < num_iterations && !boundary_.empty(); i++)
-            sweep(0, SWEEPS_PER_ITERATION, price, distance, frame, &guard);
+        for (int i = 1; i < num_iterations && !sweep_buffers_.moved.empty(); i++)
+            sweepAgain(SWEEPS_PER_ITERATION, 0, price, distance, frame, &guard);
     }
     labels_[0].view(CV_32SC1).copyTo(labels);
     return regions_.size();

@@ -36,8 +36,10 @@ private:
     void mergeAnew(int level, std::vector<uchar>& changed, const Parameters& parameters);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
-    void sweep(int level, int count, int length_price, const RegionDistance& distance, const Frame& frame,
-               VariationGuard* guard);
+    void sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
+                   VariationGuard* guard);
+    void sweepAgain(int count, int level, int length_price, const RegionDistance& distance, const Frame& frame,
+                    VariationGuard* guard);
 
     MaskPyramid masks_;
     Mat gradient_;
@@ -45,7 +47,6 @@ private:
     Padded<int> labels_[MAX_LEVEL + 1];
     std::vector<Point> markers_;
     Regions regions_;
-    std::vector<int> boundary_;
     int top_ = 0;               // level of the last flood
     std::vector<int64> errors_; // of the regions there, when each of them was made
 

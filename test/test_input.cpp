@@ -51,6 +51,10 @@ TEST_P(ximgproc_GWatershed_input, takes_float_images_with_any_value)
     image.at<Vec3f>(30, 10) = Vec3f::all(-1e30f);
     image.at<Vec3f>(40, 10) = Vec3f::all(1e30f);
     const Mat labels = segment(image, GetParam(), 8);
+    Mat clipped = image.clone();
+    clipped.at<Vec3f>(10, 10) = clipped.at<Vec3f>(30, 10) = Vec3f::all(0);
+    clipped.at<Vec3f>(20, 10) = clipped.at<Vec3f>(40, 10) = Vec3f::all(1);
+    EXPECT_TRUE(equalMats(segment(clipped, GetParam(), 8), labels));
     double largest;
     minMaxLoc(labels, 0, &largest);
     expectPartition(labels, image.size(), int(largest) + 1);

@@ -187,6 +187,20 @@ TEST_P(ximgproc_GWatershed_interface, merges_small_superpixels)
     }
 }
 
+TEST_P(ximgproc_GWatershed_interface, keeps_superpixels_of_the_smallest_area_allowed)
+{
+    Mat markers(5, 5, CV_32SC1, Scalar(2)); // areas 5, 10 and 10: 5 is 60 percent of the mean
+    markers.row(0).setTo(Scalar(1));
+    markers.rowRange(3, 5).setTo(Scalar(3));
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(5, 5, 1, 3, GetParam());
+    gws->setMarkers(markers);
+    gws->iterate(Mat(5, 5, CV_8UC1, Scalar(9)));
+    gws->enforceLabelConnectivity(60);
+    EXPECT_EQ(3, gws->getNumberOfSuperpixels());
+    gws->enforceLabelConnectivity(61);
+    EXPECT_EQ(2, gws->getNumberOfSuperpixels());
+}
+
 TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
 {
     const Mat image = makeScene(Size(90, 60), theRNG()), depth = makeDepth(image.size(), 0.1, theRNG());
@@ -218,6 +232,14 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     wrong.replace(wrong.find("alpha:"), 6, "alphb:");
     const FileStorage missing(wrong, FileStorage::READ | FileStorage::MEMORY);
     EXPECT_REFUSED(other->read(missing.root()), "alpha");
+    const String sizes[] = { "region_size: 0", "region_size: -2", "region_sise: 13" };
+    for (int i = 0; i < 3; i++)
+    {
+        wrong = text;
+        wrong.replace(wrong.find("region_size: 13"), 15, sizes[i]);
+        const FileStorage in_wrong(wrong, FileStorage::READ | FileStorage::MEMORY);
+        EXPECT_REFUSED(other->read(in_wrong.root()), "region_size");
+    }
     EXPECT_EQ(13, other->getRegionSize());
 }
 
@@ -232,7 +254,8 @@ TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_slic)
     Mat converted, mask, labels;
     cvtColor(frame, converted, COLOR_BGR2HSV);
 
-    Ptr<SuperpixelGWatershed> slic = createSuperpixelGWatershed(converted, algorithm + GWATERSHED, region_size, float(ruler));
+    Ptr<SuperpixelGWatershed> slic =
+            createSuperpixelGWatershed(converted, algorithm + GWATERSHED, region_size, float(ruler));
     slic->iterate(num_iterations);
     if (min_element_size > 0)
         slic->enforceLabelConnectivity(min_element_size);

@@ -73,7 +73,7 @@ setMarkers() and setTemporal() say what else is possible: pixels without a label
 of the user, and labels that stay from frame to frame.
 
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
-ignored), as Mat or UMat. White is 255, 65535 or 1.0; NaN and infinity count as black. The image is
+ignored), as Mat or UMat. White is 255, 65535 or 1.0, and so is what is larger; NaN is black. The image is
 brought to 8 bits; stretch one that uses a small part of its range beforehand. Three channels are BGR, and
 RGWATERSHED converts them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
 compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
