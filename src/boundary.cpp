@@ -28,7 +28,9 @@ MaskTable::MaskTable()
     for (int mask = 0; mask < 256; mask++)
     {
         int pieces = 0;
-        agreement_[mask] = 0;
+        agreement_[mask] = first_[mask] = 0;
+        while (mask > 0 && !((mask >> first_[mask]) & 1))
+            first_[mask]++;
         for (int k = 0; k < 8; k++)
         {
             const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1;

@@ -34,11 +34,14 @@ public:
     //! for each 4-neighbour and one for each diagonal one.
     int agreement(int mask) const { return agreement_[mask]; }
 
+    //! The lowest bit of a mask that is not 0.
+    int first(int mask) const { return first_[mask]; }
+
     //! Mask of one of the pixels of a block, which are numbered in raster order, by the mask of the block.
     int maskInBlock(int mask, int pixel) const { return in_block_[pixel][mask]; }
 
 private:
-    uchar can_leave_[256], agreement_[256], in_block_[4][256];
+    uchar can_leave_[256], agreement_[256], first_[256], in_block_[4][256];
 };
 
 const MaskTable& maskTable();

@@ -17,6 +17,9 @@ public:
         : table_(maskTable()), features_(features), distance_(distance), length_price_(length_price), guard_(guard),
           labels_(labels), regions_(regions)
     {
+        const int step = labels.step();
+        const int offsets[8] = { -step - 1, -step, -step + 1, 1, step + 1, step, step - 1, -1 };
+        std::copy(offsets, offsets + 8, offsets_);
     }
 
     enum { STAY = -1 };
@@ -30,13 +33,12 @@ public:
         // What others can save in boundary: they have all neighbours but these at most.
         const int largest_saving = length_price_ * (MaskTable::ALL_AGREE - agreement);
         int best = STAY, lowest = deviation(feature, *label) - length_price_ * agreement;
-        const Vec4i neighbors(label[-labels_.step()], label[1], label[labels_.step()], label[-1]);
-        for (int k = 0; k < 4; k++)
+        // Others win at most that, even if their mean were the colour.
+        int others = lowest > -largest_saving ? ~pixel.mask & MaskTable::FOUR_NEIGHBORS : 0;
+        for (; others; others &= others - 1)
         {
-            if (lowest <= -largest_saving)
-                break; // even if the mean were the colour
-            const int region = neighbors[k];
-            if (region == *label || region == OUTSIDE || (k > 0 && region == neighbors[k - 1]))
+            const int region = label[offsets_[table_.first(others)]];
+            if (region == OUTSIDE || region == best)
                 continue;
             const int d = deviation(feature, region);
             if (d - largest_saving >= lowest)
@@ -88,6 +90,7 @@ private:
     VariationGuard* const guard_;
     Padded<int>& labels_;
     Regions& regions_;
+    int offsets_[8]; // of the neighbours, in the order of their bits
 };
 
 //! Means are those of the beginning of the sweep.
