@@ -21,6 +21,7 @@ static void convertFromBGR(Feature* row, int cols)
         row[x].color[0] = uchar((r + 2 * g + b + 2) >> 2);
         row[x].color[1] = uchar((r - g + 256) >> 1);
         row[x].color[2] = uchar((r + g - 2 * b + 512 + 2) >> 2);
+        row[x].depth = 0;
     }
 }
 
@@ -30,13 +31,20 @@ static void copyGray(const uchar* from, Feature* to, int cols)
     {
         to[x].color[0] = from[x];
         to[x].color[1] = to[x].color[2] = 128;
+        to[x].depth = 0;
     }
 }
 
-static void setDepth(const uchar* from, Feature* to, int cols)
+static void clearDepth(Feature* to, int cols)
 {
     for (int x = 0; x < cols; x++)
-        to[x].depth = from ? from[x] : uchar(0);
+        to[x].depth = 0;
+}
+
+static void copyDepth(const uchar* from, Feature* to, int cols)
+{
+    for (int x = 0; x < cols; x++)
+        to[x].depth = from[x];
 }
 
 void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features)
@@ -59,9 +67,12 @@ void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded
             {
                 if (color.channels() == 1)
                     copyGray(color.ptr(y), features.row(y), color.cols);
-                else if (!uniform_color)
+                else if (uniform_color)
+                    clearDepth(features.row(y), color.cols);
+                else
                     convertFromBGR(features.row(y), color.cols);
-                setDepth(depth.empty() ? 0 : depth.ptr(y), features.row(y), color.cols);
+                if (!depth.empty())
+                    copyDepth(depth.ptr(y), features.row(y), color.cols);
             }
         }
     });

@@ -21,7 +21,7 @@ public:
     //! The height of the last node taken out.
     int height() const { return height_; }
 
-    void push(int node, int height)
+    void push(Point node, int height)
     {
         const FloodBuffers::Entry entry = { node, NONE };
         int e = free_;
@@ -42,17 +42,18 @@ public:
         last_[height] = e;
     }
 
-    //! Returns 0, a node of the frame, if all queues are empty.
-    int pop()
+    //! Returns false if all queues are empty.
+    bool pop(Point& node)
     {
         while (first_[height_] == NONE)
             if (++height_ == HEIGHTS)
-                return 0;
+                return false;
         const int e = first_[height_];
         first_[height_] = entries_[e].next;
         entries_[e].next = free_;
         free_ = e;
-        return entries_[e].node;
+        node = entries_[e].node;
+        return true;
     }
 
 private:
@@ -90,16 +91,17 @@ public:
     //! that offered it; when it is first taken out, the last offer stands, and the node takes
     //! that label. No height lies below the one being flooded, and equal heights keep their order,
     //! so the result depends on the order of the markers and nothing else.
-    void run(const std::vector<int>& seeds)
+    void run(const std::vector<Point>& seeds)
     {
         for (size_t i = 0; i < seeds.size(); i++)
-            spread(seeds[i], labels_.data()[seeds[i]]);
-        while (const int node = queue_.pop())
+            spread(seeds[i], labels_.row(seeds[i].y)[seeds[i].x]);
+        Point node;
+        while (queue_.pop(node))
         {
-            const int label = labels_.data()[node];
+            const int label = labels_.row(node.y)[node.x];
             if (label >= 0)
                 continue; // it was taken out at a lower height before
-            settle(node, OFFERED - label);
+            settle(labels_.index(node), OFFERED - label);
             spread(node, OFFERED - label);
         }
     }
@@ -121,21 +123,21 @@ private:
     //! The mean of many hardly moves.
     static int nextUpdate(int area) { return area + area / 4 + 1; }
 
-    void spread(int node, int i)
+    void spread(Point node, int i)
     {
-        const Point offset = labels_.point(node) - centers_[i];
+        const int index = labels_.index(node);
         for (int k = 0; k < 4; k++)
         {
-            const int to = node + neighbors_[k], label = labels_.data()[to];
+            const int to = index + neighbors_[k], label = labels_.data()[to];
             if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
                 continue;
-            const Point step((k == 2) - (k == 0), (k == 3) - (k == 1));
-            const int height = std::max(heightOf(to, i, offset + step), queue_.height());
+            const Point neighbor(node.x + (k == 2) - (k == 0), node.y + (k == 3) - (k == 1));
+            const int height = std::max(heightOf(to, i, neighbor - centers_[i]), queue_.height());
             if (label != UNSEEN && height >= heights_[to])
                 continue; // another region offers as much
             labels_.data()[to] = OFFERED - i;
             heights_[to] = ushort(height);
-            queue_.push(to, height);
+            queue_.push(neighbor, height);
         }
     }
 
@@ -167,20 +169,18 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
 {
     CV_TRACE_FUNCTION();
     const int first = regions.size();
-    buffers.seeds.resize(markers.size());
     buffers.centers.assign(first, Point());
     buffers.centers.insert(buffers.centers.end(), markers.begin(), markers.end());
     regions.resize(first + int(markers.size()));
     for (int i = 0; i < int(markers.size()); i++)
     {
         const int seed = labels.index(markers[i]);
-        buffers.seeds[i] = seed;
         labels.data()[seed] = first + i;
         regions.sums[first + i] = RegionSum();
         regions.sums[first + i].add(features.data()[seed]);
         regions.update(first + i);
     }
-    RegionFlood(features, buffers.centers, distance, ruler, buffers, labels, regions).run(buffers.seeds);
+    RegionFlood(features, buffers.centers, distance, ruler, buffers, labels, regions).run(markers);
     regions.update();
 }
 
@@ -197,7 +197,7 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
         for (int x = 0; x < size.width; x++)
             if (row[x] >= 0 && (row[x - 1] == UNSEEN || row[x + 1] == UNSEEN ||
                                 row[x - step] == UNSEEN || row[x + step] == UNSEEN))
-                buffers.seeds.push_back(labels.index(Point(x, y)));
+                buffers.seeds.push_back(Point(x, y));
     }
     const int NO_RULER = 0;
     buffers.centers.assign(regions.size(), Point());

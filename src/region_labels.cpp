@@ -16,8 +16,10 @@ void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
         {
             const int* from = labels.row(y / 2);
             int* to = doubled.row(y);
-            for (int x = 0; x < size.width; x++)
-                to[x] = from[x / 2];
+            for (int x = 0; x < size.width / 2; x++)
+                to[2 * x] = to[2 * x + 1] = from[x];
+            if (size.width % 2)
+                to[size.width - 1] = from[size.width / 2];
         }
     });
 }

@@ -28,10 +28,11 @@ struct FloodBuffers
 {
     struct Entry
     {
-        int node, next;
+        Point node;
+        int next;
     };
     std::vector<Entry> entries;  // of the queues
-    std::vector<int> seeds;      // nodes that the flood begins with
+    std::vector<Point> seeds;    // nodes that the flood begins with
     std::vector<Point> centers;  // that the ruler counts from
     std::vector<int> updates;    // area at which the means of a region are taken anew
     std::vector<ushort> heights; // at which a node waits
