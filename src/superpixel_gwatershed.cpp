@@ -242,12 +242,10 @@ private:
     //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
     Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
     {
-        Mat inside = depth;
-        if (!depth.empty() && !mask.empty())
-        {
-            inside = Mat::zeros(depth.size(), depth.type());
-            depth.copyTo(inside, mask);
-        }
+        if (depth.empty() || mask.empty())
+            return gws::scaleDepth(depth, used_.near_depth, used_.far_depth, buffer);
+        Mat inside(depth.size(), depth.type(), Scalar(0));
+        depth.copyTo(inside, mask);
         return gws::scaleDepth(inside, used_.near_depth, used_.far_depth, buffer);
     }
 

@@ -70,8 +70,13 @@ TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
         gws->setMask(mask);
         gws->iterate(image, depth, 2);
         const Mat expected = labelsOf(gws);
+        const Mat other_before = other.clone(), other_depth_before = other_depth.clone();
         gws->iterate(other, other_depth, 2);
         EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << "kind " << i % MASK_KINDS << ", " << size;
+        Mat pairs, lengths, heights;
+        gws->getAdjacency(other, other_depth, pairs, lengths, heights);
+        EXPECT_TRUE(equalMats(other_before, other));
+        EXPECT_TRUE(equalMats(other_depth_before, other_depth));
     }
 }
 
