@@ -10,6 +10,7 @@ namespace opencv_test { namespace {
 CV_ENUM(Algorithm_, RGWATERSHED, GWATERSHED)
 
 typedef PicturesTest<tuple<Algorithm_, Size> > Perf_GWatershed;
+typedef PicturesTest<tuple<int, Size> > Perf_GWatershed_iterations;
 typedef PicturesTest<Size> Perf_GWatershed_step;
 
 PERF_TEST_P(Perf_GWatershed, color, testing::Combine(Algorithm_::all(), GWATERSHED_PERF_SIZES))
@@ -28,6 +29,15 @@ PERF_TEST_P(Perf_GWatershed, rgbd, testing::Combine(Algorithm_::all(), GWATERSHE
     Ptr<SuperpixelGWatershed> gws =
             createSuperpixelGWatershed(size.width, size.height, 3, perfNumSuperpixels(size), get<0>(GetParam()));
     timeOver(pictures, [&]() { gws->iterate(pictures.image(), pictures.depth()); });
+}
+
+PERF_TEST_P(Perf_GWatershed_iterations, color, testing::Combine(testing::Values(2, 4), GWATERSHED_PERF_SIZES))
+{
+    const Size size = get<1>(GetParam());
+    Pictures pictures(size);
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(size.width, size.height, 3, perfNumSuperpixels(size), RGWATERSHED);
+    timeOver(pictures, [&]() { gws->iterate(pictures.image(), get<0>(GetParam())); });
 }
 
 // The steps of GWATERSHED on colour.
