@@ -95,8 +95,8 @@ struct Regions
             for (int k = 0; k < 3; k++)
                 sum.color[k] *= 4;
             sum.depth *= 4;
-            sum.area *= 4;
-            sum.depth_area *= 4;
+            sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // at odd borders there are fewer pixels
+            sum.depth_area = int(std::min<int64>(4 * int64(sum.depth_area), INT_MAX));
         }
     }
     void update(int i) { means[i] = sums[i].mean(); }
