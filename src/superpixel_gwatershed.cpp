@@ -163,6 +163,8 @@ public:
         mask_ = checked.empty() ? Mat() : Mat(checked != 0);
         if (before.size() != mask_.size() || (!mask_.empty() && countNonZero(before != mask_) > 0))
             last_ = Last();
+        mask_bounds_ = mask_.empty() ? Rect() : gws::findBounds(mask_);
+        mask_area_ = mask_.empty() ? 0 : countNonZero(mask_);
     }
     void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
 
@@ -279,7 +281,7 @@ private:
     //! Segments the bounding box of the mask.
     void segmentInside(const Mat& image, const Mat& depth, int num_iterations, const Last& last)
     {
-        bounds_ = mask_.empty() ? Rect(Point(), image.size()) : gws::findBounds(mask_);
+        bounds_ = mask_.empty() ? Rect(Point(), image.size()) : mask_bounds_;
         labels_.create(image.size(), CV_32SC1);
         if (bounds_.size() != image.size())
             labels_.setTo(Scalar(-1));
@@ -310,7 +312,7 @@ private:
     gws::Frame makeFrame(const Mat& image, const Mat& depth)
     {
         gws::Frame frame;
-        frame.num_pixels = mask_.empty() ? bounds_.area() : countNonZero(mask_(bounds_));
+        frame.num_pixels = mask_.empty() ? bounds_.area() : mask_area_;
         if (frame.num_pixels < bounds_.area())
             frame.mask = mask_(bounds_);
         frame.color = gws::convertImage(image, converted_);
@@ -340,6 +342,8 @@ private:
     gws::Parameters parameters_;
     Mat image_, depth_;    // copies of what the factory was given
     Mat mask_, markers_;   // copies of what was set; the mask as 0 and 255
+    Rect mask_bounds_;
+    int mask_area_ = 0;
 
     bool segmented_ = false;
     int num_labels_ = 0;
