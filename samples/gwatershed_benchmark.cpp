@@ -12,12 +12,12 @@
 #include <opencv2/ximgproc.hpp>
 #endif
 
+#include "split_list.hpp"
 #include "superpixel_metrics.hpp"
 
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <sstream>
 
 using namespace cv;
 using namespace cv::ximgproc;
@@ -208,15 +208,6 @@ static std::vector<Method> allMethods()
     return methods;
 }
 
-static std::vector<String> split(const String& list)
-{
-    std::vector<String> parts;
-    std::stringstream stream(list);
-    for (std::string part; std::getline(stream, part, ',');)
-        parts.push_back(part);
-    return parts;
-}
-
 static bool isWanted(const String& name, const std::vector<String>& wanted)
 {
     for (size_t i = 0; i < wanted.size(); i++)
@@ -344,8 +335,8 @@ int main(int argc, char** argv)
     parser.about("Compares superpixels with ground truth and writes a table (CSV); gwatershed_plot.py draws it.");
     const String image_dir = parser.get<String>("images"), truth_dir = parser.get<String>("truth");
     const String depth_dir = parser.get<String>("depth"), output = parser.get<String>("output");
-    const std::vector<String> numbers = split(parser.get<String>("numbers"));
-    const std::vector<String> wanted = split(parser.get<String>("methods"));
+    const std::vector<String> numbers = splitList(parser.get<String>("numbers"));
+    const std::vector<String> wanted = splitList(parser.get<String>("methods"));
     const bool ignore_zero = parser.has("ignore_zero");
     const int limit = parser.get<int>("limit"), threads = parser.get<int>("threads");
     if (parser.has("help") || image_dir.empty() || truth_dir.empty() || !parser.check())

@@ -15,11 +15,12 @@
 
 #include <opencv2/gwatershed.hpp>
 
+#include "split_list.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <sstream>
 
 using namespace cv;
 using namespace cv::ximgproc;
@@ -330,16 +331,6 @@ static Mat drawColumn(const Mat& image, const Elements& elements, const Mat_<flo
     return column;
 }
 
-//! Parts between commas, empty ones too.
-static std::vector<String> split(const String& list)
-{
-    std::vector<String> parts;
-    std::stringstream stream(list);
-    for (std::string part; std::getline(stream, part, ',');)
-        parts.push_back(part);
-    return parts;
-}
-
 static Mat read(const String& file, int flags)
 {
     const Mat image = imread(file, flags);
@@ -352,8 +343,8 @@ int main(int argc, char** argv)
 {
     CommandLineParser parser(argc, argv, KEYS);
     parser.about("Saliency filters (Perazzi et al. 2012) on the superpixels of cv::ximgproc::SuperpixelGWatershed.");
-    const std::vector<String> files = split(parser.get<String>("images"));
-    std::vector<String> depth_files = split(parser.get<String>("depths"));
+    const std::vector<String> files = splitList(parser.get<String>("images"));
+    std::vector<String> depth_files = splitList(parser.get<String>("depths"));
     const String output = parser.get<String>("output");
     const int num_superpixels = parser.get<int>("superpixels");
     const double depth_range = parser.get<double>("depth_range");

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "depth.hpp"
 #include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -31,10 +32,6 @@ Mat convertImage(const Mat& image, Mat& buffer)
     return buffer;
 }
 
-static inline bool isValid(uchar depth) { return depth != 0; }
-static inline bool isValid(ushort depth) { return depth != 0; }
-static inline bool isValid(float depth) { return depth > 0 && depth <= FLT_MAX; } // false for NaN
-
 struct DepthRange
 {
     float first, last;
@@ -48,7 +45,7 @@ template <typename T> static DepthRange findExtrema(const Mat& depth)
     {
         const T* row = depth.ptr<T>(y);
         for (int x = 0; x < depth.cols; x++)
-            if (isValid(row[x]))
+            if (isValidDepth(row[x]))
             {
                 range.first = std::min(range.first, float(row[x]));
                 range.last = std::max(range.last, float(row[x]));
@@ -68,7 +65,7 @@ template <typename T> static DepthRange findRange(const Mat& depth)
     {
         const T* row = depth.ptr<T>(y);
         for (int x = std::min(step, depth.cols) / 2; x < depth.cols; x += step)
-            if (isValid(row[x]))
+            if (isValidDepth(row[x]))
                 sample.push_back(float(row[x]));
     }
     if (!sample.empty())
@@ -96,7 +93,7 @@ template <typename T> static void scaleRows(const Mat& depth, DepthRange range, 
             for (int x = 0; x < depth.cols; x++)
             {
                 const float value = std::min(std::max(float(from[x]), range.first), range.last);
-                to[x] = isValid(from[x]) ? uchar(1.5 + factor * (value - range.first)) : uchar(0);
+                to[x] = isValidDepth(from[x]) ? uchar(1.5 + factor * (value - range.first)) : uchar(0);
             }
         }
     });

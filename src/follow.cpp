@@ -17,10 +17,8 @@ void measureErrors(const Padded<Feature>& features, const RegionDistance& distan
         for (int x = 0; x < size.width; x++)
         {
             const int label = labels.row(y)[x];
-            if (label < 0)
-                continue;
-            const int64 d = distance(features.row(y)[x], regions.means[label]);
-            errors[label] += (d * d) >> 8;
+            if (label >= 0)
+                errors[label] += distance.squared(features.row(y)[x], regions.means[label]);
         }
 }
 

@@ -17,17 +17,21 @@ void checkSize(int64 width, int64 height)
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
 }
 
-static bool isOneMatrix(InputArray input)
+//! The header of a matrix that is not empty.
+static Mat takeMatrix(InputArray input, const char* name)
 {
-    return !input.isMatVector() && !input.isUMatVector();
+    if (input.isMatVector() || input.isUMatVector())
+        CV_Error_(Error::StsBadArg, ("%s must be one Mat or UMat", name));
+    const Mat matrix = input.getMat();
+    if (matrix.dims != 2)
+        CV_Error_(Error::StsBadArg, ("%s must have two dimensions, not %d", name, matrix.dims));
+    return matrix;
 }
 
 Mat checkImage(InputArray input)
 {
     CV_Assert(!input.empty() && "image must not be empty");
-    CV_Assert(isOneMatrix(input) && "image must be one Mat or UMat");
-    const Mat image = input.getMat();
-    CV_CheckEQ(image.dims, 2, "image must have two dimensions");
+    const Mat image = takeMatrix(input, "image");
     CV_Check(image.depth(), image.depth() == CV_8U || image.depth() == CV_16U || image.depth() == CV_32F,
              "image must be CV_8U, CV_16U or CV_32F");
     CV_Check(image.channels(), image.channels() == 1 || image.channels() == 3 || image.channels() == 4,
@@ -39,9 +43,7 @@ Mat checkImage(InputArray input)
 Mat checkDepth(InputArray input, Size size)
 {
     CV_Assert(!input.empty() && "depth must not be empty; call iterate(image) where there is none");
-    CV_Assert(isOneMatrix(input) && "depth must be one Mat or UMat");
-    const Mat depth = input.getMat();
-    CV_CheckEQ(depth.dims, 2, "depth must have two dimensions");
+    const Mat depth = takeMatrix(input, "depth");
     CV_CheckType(depth.type(), depth.type() == CV_8UC1 || depth.type() == CV_16UC1 || depth.type() == CV_32FC1,
                  "depth must be CV_8UC1, CV_16UC1 or CV_32FC1");
     CV_CheckEQ(depth.size(), size, "depth must have the size of image");
@@ -52,9 +54,7 @@ Mat checkValues(InputArray input, Size size)
 {
     if (input.empty())
         return Mat();
-    CV_Assert(isOneMatrix(input) && "image must be one Mat or UMat");
-    const Mat image = input.getMat();
-    CV_CheckEQ(image.dims, 2, "image must have two dimensions");
+    const Mat image = takeMatrix(input, "image");
     CV_CheckEQ(image.size(), size, "image must have the size of the label map");
     return image;
 }
@@ -63,9 +63,7 @@ Mat checkMask(InputArray input)
 {
     if (input.empty())
         return Mat();
-    CV_Assert(isOneMatrix(input) && "mask must be one Mat or UMat");
-    const Mat mask = input.getMat();
-    CV_CheckEQ(mask.dims, 2, "mask must have two dimensions");
+    const Mat mask = takeMatrix(input, "mask");
     CV_CheckTypeEQ(mask.type(), CV_8UC1, "mask must be CV_8UC1");
     return mask;
 }
@@ -74,9 +72,7 @@ Mat checkMarkers(InputArray input)
 {
     if (input.empty())
         return Mat();
-    CV_Assert(isOneMatrix(input) && "markers must be one Mat or UMat");
-    const Mat markers = input.getMat();
-    CV_CheckEQ(markers.dims, 2, "markers must have two dimensions");
+    const Mat markers = takeMatrix(input, "markers");
     CV_CheckTypeEQ(markers.type(), CV_32SC1, "markers must be CV_32SC1");
     return markers;
 }

@@ -79,8 +79,7 @@ private:
     //! Squared distance to the mean of a region, in squared levels. The energy is this less the boundary saved.
     int deviation(const Feature& feature, int region) const
     {
-        const int d = distance_(feature, regions_.means[region]);
-        return (d * d) >> 8;
+        return distance_.squared(feature, regions_.means[region]);
     }
 
     const MaskTable& table_;

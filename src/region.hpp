@@ -133,6 +133,13 @@ struct RegionDistance
             return color;
         return (color_share * color + depth_share * std::abs(16 * f.depth - r.depth)) >> 8;
     }
+
+    //! The square of it, in squared levels.
+    int squared(const Feature& f, const RegionMean& r) const
+    {
+        const int d = (*this)(f, r);
+        return (d * d) >> 8;
+    }
 };
 
 }}} // namespace

@@ -202,6 +202,7 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
     const int NO_RULER = 0;
     buffers.centers.assign(regions.size(), Point());
     RegionFlood(features, buffers.centers, distance, NO_RULER, buffers, labels, regions).run(buffers.seeds);
+    regions.update();
 }
 
 }}} // namespace

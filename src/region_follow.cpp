@@ -48,8 +48,8 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
         return false;
     if (change.changed_area == 0)
         return true;
-    floodAnew(level, change.changed, change.changed_area, change.area, parameters);
-    mergeAnew(level, change.changed, parameters);
+    const int num_kept = floodAnew(level, change.changed, change.changed_area, change.area, parameters);
+    mergeAnew(level, num_kept, change.changed, parameters);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
     for (size_t i = 0; i < errors.size(); i++)
         if (change.changed[i])
@@ -59,8 +59,9 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
 
 //! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. Regions
 //! are numbered anew: those that are left first; names_ are their labels, and those that were where the new ones are.
-void RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
-                                const Parameters& parameters)
+//! Returns how many are left.
+int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
+                               const Parameters& parameters)
 {
     const Padded<Feature>& features = features_[level];
     const RegionDistance distance = floodDistance(parameters.alpha);
@@ -76,11 +77,11 @@ void RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, do
             regions_.sums[names_.size()] = regions_.sums[i];
             names_.push_back(i);
         }
-    num_kept_ = int(names_.size());
-    regions_.resize(num_kept_);
+    const int num_kept = int(names_.size());
+    regions_.resize(num_kept);
     renumber(numbers_, map);
 
-    const double fewest = std::max(double(num_regions - num_kept_), changed_area * num_regions / area);
+    const double fewest = std::max(double(num_regions - num_kept), changed_area * num_regions / area);
     const int num_markers = int(std::min(changed_area, MARKERS_PER_SUPERPIXEL * fewest));
     computeGradient(features, distance, gradient_);
     compare(map, Scalar(UNSEEN), dissolved_, CMP_EQ);
@@ -89,11 +90,12 @@ void RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, do
                     flood_buffers_, labels_[level], regions_);
     for (size_t i = 0; i < markers_.size(); i++)
         names_.push_back(last_map_.at<int>(markers_[i]));
+    return num_kept;
 }
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionWatershed::mergeAnew(int level, std::vector<uchar>& changed, const Parameters& parameters)
+void RegionWatershed::mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const Parameters& parameters)
 {
     Mat map = labels_[level].view(CV_32SC1);
     std::vector<int> areas(regions_.size());
@@ -103,7 +105,7 @@ void RegionWatershed::mergeAnew(int level, std::vector<uchar>& changed, const Pa
                          regions_);
     addBoundaries(map, NoHeight(), merger.graph());
     merger.run(int(changed.size()));
-    nameGroups(merger.graph().parents(), areas, names_, num_kept_, numbers_);
+    nameGroups(merger.graph().parents(), areas, names_, num_kept, numbers_);
     renumber(numbers_, map);
     for (size_t i = 0; i < merger.unions().size(); i++)
         changed[numbers_[merger.unions()[i][1]]] = 1;

@@ -46,7 +46,7 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
                      Regions& regions);
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
-//! stays UNSEEN. The means become those of the flood, not of the result. (region_flood.cpp)
+//! stays UNSEEN. (region_flood.cpp)
 void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions);
 

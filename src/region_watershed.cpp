@@ -168,7 +168,6 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
     {
         if (level < top)
             descend(frame, level, distance);
-        regions_.update();
         if (level < top && !masked)
             listBoundaryOfBlocks(labels_[level + 1], labels_[level], sweep_buffers_.boundary);
         else

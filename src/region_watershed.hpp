@@ -31,9 +31,9 @@ private:
 
     void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
     bool follow(const Frame& frame, int level, int length_price, const Parameters& parameters);
-    void floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
-                   const Parameters& parameters);
-    void mergeAnew(int level, std::vector<uchar>& changed, const Parameters& parameters);
+    int floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
+                  const Parameters& parameters);
+    void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const Parameters& parameters);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
     void sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
@@ -54,7 +54,6 @@ private:
     Mat last_map_, dissolved_;
     MarkerBuffers marker_buffers_;
     std::vector<int> names_, numbers_;
-    int num_kept_ = 0;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
     SweepBuffers sweep_buffers_;

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "depth.hpp"
 #include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -40,11 +41,6 @@ struct Extent
         bottom = std::max(bottom, e.bottom);
     }
 };
-
-inline bool isValidDepth(double depth)
-{
-    return depth > 0 && depth <= DBL_MAX; // false for NaN
-}
 
 //! The sums of all superpixels over some rows. Rows of the image and of depth become CV_64F first:
 //! sums of integers are exact then.
