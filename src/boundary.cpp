@@ -111,6 +111,22 @@ void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, 
     boundary.resize(count);
 }
 
+//! Marks of the listed pixels, for as long as the list is made: they are taken away even if memory runs out.
+class ListMarks
+{
+public:
+    ListMarks(std::vector<uchar>& marks, const std::vector<BoundaryPixel>& listed) : marks_(marks), listed_(listed) {}
+    ~ListMarks()
+    {
+        for (size_t i = 0; i < listed_.size(); i++)
+            marks_[listed_[i].index] = 0;
+    }
+
+private:
+    std::vector<uchar>& marks_;
+    const std::vector<BoundaryPixel>& listed_;
+};
+
 void listBoundaryAround(const std::vector<int>& pixels, const Padded<int>& labels, std::vector<uchar>& marks,
                         std::vector<BoundaryPixel>& boundary)
 {
@@ -120,6 +136,7 @@ void listBoundaryAround(const std::vector<int>& pixels, const Padded<int>& label
     const int* label = labels.data();
     marks.resize(size_t(step) * (labels.size().height + 2), 0);
     boundary.clear();
+    const ListMarks marked(marks, boundary);
     for (size_t i = 0; i < pixels.size(); i++)
         for (int dy = -step; dy <= step; dy += step)
             for (int p = pixels[i] + dy - 1; p <= pixels[i] + dy + 1; p++)
@@ -129,11 +146,9 @@ void listBoundaryAround(const std::vector<int>& pixels, const Padded<int>& label
                 const BoundaryPixel pixel = { p, neighborMask(label + p, step, label[p]) };
                 if (!table.canLeave(pixel.mask))
                     continue;
-                marks[p] = 1;
                 boundary.push_back(pixel);
+                marks[p] = 1;
             }
-    for (size_t i = 0; i < boundary.size(); i++)
-        marks[boundary[i].index] = 0;
 }
 
 void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<BoundaryPixel>& boundary)

@@ -54,13 +54,14 @@ static void halveMask(const Mat& mask, Mat& halved)
     }
 }
 
-int MaskPyramid::countLost(const Mat& blocks, int level) const
+//! Number of connected components of the pixels in which no block lies.
+static int countLost(const Mat& components, int num_components, const Mat& blocks, int level)
 {
-    std::vector<bool> kept(levels_[0].components, false);
+    std::vector<bool> kept(num_components, false);
     for (int y = 0; y < blocks.rows; y++)
         for (int x = 0; x < blocks.cols; x++)
             if (blocks.at<uchar>(y, x))
-                kept[components_.at<int>(y << level, x << level) - 1] = true;
+                kept[components.at<int>(y << level, x << level) - 1] = true;
     return int(std::count(kept.begin(), kept.end(), false));
 }
 
@@ -69,20 +70,22 @@ void MaskPyramid::build(const Mat& mask, int max_level)
     CV_TRACE_FUNCTION();
     if (!levels_.empty() && levels_[0].mask.data == mask.data && levels_[0].mask.size() == mask.size())
         return; // the mask of the last image, which is kept here and never written to
-    levels_.resize(max_level + 1);
-    Mat components;
+    std::vector<Level> levels(max_level + 1);
+    Mat components, components_of_pixels;
     for (int i = 0; i <= max_level; i++)
     {
-        Level& level = levels_[i];
+        Level& level = levels[i];
         if (i == 0)
             level.mask = mask;
         else
-            halveMask(levels_[i - 1].mask, level.mask);
+            halveMask(levels[i - 1].mask, level.mask);
         level.blocks = countNonZero(level.mask);
-        Mat& map = i == 0 ? components_ : components;
-        level.components = connectedComponents(level.mask, map, 4, CV_32S) - 1;
-        level.lost = i == 0 ? 0 : countLost(level.mask, i);
+        level.components = connectedComponents(level.mask, components, 4, CV_32S) - 1;
+        if (i == 0)
+            swap(components, components_of_pixels);
+        level.lost = i == 0 ? 0 : countLost(components_of_pixels, levels[0].components, level.mask, i);
     }
+    levels_.swap(levels); // complete, or as it was
 }
 
 }}} // namespace

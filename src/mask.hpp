@@ -39,9 +39,7 @@ private:
         Mat mask;
         int blocks, components, lost;
     };
-    int countLost(const Mat& blocks, int level) const;
 
-    Mat components_; // of the pixels
     std::vector<Level> levels_;
 };
 

@@ -269,13 +269,10 @@ private:
         hierarchy_ = gws::MergeHierarchy();
         const Last last = last_;
         last_ = Last();
-        if (!complete_)
-            region_guided_ = gws::RegionWatershed();
-        complete_ = false;
         used_ = parameters_;
         used_mask_ = mask_;
         guardMemory([&]() { segmentInside(image, depth, num_iterations, last); });
-        complete_ = segmented_ = true;
+        segmented_ = true;
     }
 
     //! Segments the bounding box of the mask.
@@ -357,7 +354,6 @@ private:
     // The algorithms, and buffers that stay from one image to the next.
     gws::PlainWatershed plain_;
     gws::RegionWatershed region_guided_;
-    bool complete_ = true; // the last run was not broken off by an exception
     Mat converted_, scaled_, numbered_;
 };
 

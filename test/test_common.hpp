@@ -71,6 +71,11 @@ void startRecordingNew();
 //! Returns the largest of them.
 size_t stopRecordingNew();
 
+//! The new after `count` others fails, once; a count below 0 lets none fail.
+void failNewAfter(int count);
+//! Whether none is to fail any more.
+bool newHasFailed();
+
 //! Sets the number of threads for a scope.
 struct ThreadsGuard
 {

@@ -8,15 +8,19 @@
 #include <cstdlib>
 #include <new>
 
-// Every new of this program and of the module goes through here, so that a test can see its size.
+// Every new of this program and of the module goes through here, so that a test can see its size
+// and let it fail.
 
 static std::atomic<bool> recording(false);
 static std::atomic<size_t> largest(0);
+static std::atomic<int> left_until_failure(-1); // below 0: none fails
 
 void* operator new(size_t size)
 {
     if (recording && size > largest)
         largest = size;
+    if (left_until_failure >= 0 && left_until_failure-- == 0)
+        throw std::bad_alloc();
     if (void* memory = std::malloc(size ? size : 1))
         return memory;
     throw std::bad_alloc();
@@ -40,6 +44,16 @@ size_t stopRecordingNew()
 {
     recording = false;
     return largest;
+}
+
+void failNewAfter(int count)
+{
+    left_until_failure = count;
+}
+
+bool newHasFailed()
+{
+    return left_until_failure < 0;
 }
 
 } // namespace
