@@ -28,20 +28,24 @@ MaskTable::MaskTable()
     for (int mask = 0; mask < 256; mask++)
     {
         int pieces = 0;
-        agreement_[mask] = first_[mask] = 0;
-        while (mask > 0 && !((mask >> first_[mask]) & 1))
-            first_[mask]++;
+        int four = 0;
+        agreement_[mask] = first_[mask] = last_[mask] = 0;
+        for (int k = 7; k >= 0; k--)
+            first_[mask] = (mask >> k) & 1 ? uchar(k) : first_[mask];
         for (int k = 0; k < 8; k++)
         {
+            last_[mask] = (mask >> k) & 1 ? uchar(k) : last_[mask];
             const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1;
             const bool before = (mask >> ((k + 6) & 7)) & 1;
             agreement_[mask] += here ? 1 + (k & 1) : 0;
             // A 4-neighbour begins a piece unless the one before it reaches it over the corner.
+            four += (k & 1) && here;
             pieces += (k & 1) && here && !(corner && before);
         }
+        is_tip_[mask] = four == 1;
         can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
         for (int pixel = 0; pixel < 4; pixel++)
-            in_block_[pixel][mask] = findMaskInBlock(mask, pixel);
+            in_block_[mask][pixel] = findMaskInBlock(mask, pixel);
     }
 }
 
@@ -51,112 +55,179 @@ const MaskTable& maskTable()
     return table;
 }
 
-//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
-static void findMasks(const int* row, int step, int n, int* masks)
+bool SweepBuffers::moved() const
 {
+    for (size_t i = 0; i < bands.size(); i++)
+        if (!bands[i].moves.empty())
+            return true;
+    return false;
+}
+
+//! Calls list(rows, band) for each band.
+template <typename List> static void listBands(int height, SweepBuffers& buffers, const List& list)
+{
+    const int BAND_HEIGHT = SweepBuffers::BAND_HEIGHT;
+    buffers.bands.resize((height + BAND_HEIGHT - 1) / BAND_HEIGHT);
+    parallel_for_(Range(0, int(buffers.bands.size())), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            buffers.bands[i].boundary.clear();
+            list(Range(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height)), buffers.bands[i]);
+        }
+    });
+}
+
+//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
+static void findMasks(const int* row, int step, int n, std::vector<int>& masks)
+{
+    masks.resize(n);
     for (int x = 0; x < n; x++)
         masks[x] = neighborMask(row + x, step, row[x]);
 }
 
+static void append(const std::vector<BoundaryPixel>& found, int count, std::vector<BoundaryPixel>& boundary)
+{
+    boundary.insert(boundary.end(), found.begin(), found.begin() + count);
+}
+
+// The lists are made without branches on what no one could foresee: what is not listed is written over by the next.
+
 //! @note The pixels at the border of the image are listed, too: the frame has another label.
-void listBoundary(const Padded<int>& labels, std::vector<BoundaryPixel>& boundary)
+void listBoundary(const Padded<int>& labels, SweepBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     const MaskTable& table = maskTable();
-    const Size size = labels.size();
-    const int step = labels.step();
-    std::vector<int> masks(size.width);
-    size_t count = 0;
-    for (int y = 0; y < size.height; y++)
+    const int width = labels.size().width;
+    listBands(labels.size().height, buffers, [&](const Range& rows, Band& band)
     {
-        const int* row = labels.row(y);
-        findMasks(row, step, size.width, masks.data());
-        boundary.resize(count + size.width);
-        for (int x = 0; x < size.width; x++) // without a branch that no one could foresee: the next one goes over it
+        band.found.resize(width);
+        for (int y = rows.start; y < rows.end; y++)
         {
-            const BoundaryPixel pixel = { labels.index(Point(x, y)), masks[x] };
-            boundary[count] = pixel;
-            count += table.canLeave(masks[x]) & (row[x] >= 0);
+            const int* row = labels.row(y);
+            const int first = labels.index(Point(0, y));
+            findMasks(row, labels.step(), width, band.masks);
+            int count = 0;
+            for (int x = 0; x < width; x++)
+            {
+                const BoundaryPixel pixel = { first + x, band.masks[x] };
+                band.found[count] = pixel;
+                count += table.canLeave(pixel.mask) & (row[x] >= 0);
+            }
+            append(band.found, count, band.boundary);
         }
-    }
-    boundary.resize(count);
+    });
 }
 
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, std::vector<BoundaryPixel>& boundary)
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, SweepBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     const int INTERIOR = 255;
     const MaskTable& table = maskTable();
     const Size size = labels.size();
-    const int width = blocks.size().width;
-    std::vector<int> masks(width);
-    size_t count = 0;
-    for (int y = 0; y < blocks.size().height; y++)
+    const int width = blocks.size().width, offsets[4] = { 0, 1, labels.step(), labels.step() + 1 };
+    listBands(size.height, buffers, [&](const Range& rows, Band& band)
     {
-        findMasks(blocks.row(y), blocks.step(), width, masks.data());
-        boundary.resize(count + 4 * size_t(width));
-        for (int x = 0; x < width; x++)
+        band.found.resize(4 * size_t(width));
+        band.columns.resize(width);
+        for (int y = rows.start; y < rows.end; y += 2)
         {
-            if (masks[x] == INTERIOR)
-                continue;
-            for (int k = 0; k < 4; k++) // as above
+            findMasks(blocks.row(y / 2), blocks.step(), width, band.masks);
+            int num_columns = 0, count = 0;
+            for (int x = 0; x < width; x++)
             {
-                const Point p(2 * x + k % 2, 2 * y + k / 2);
-                const BoundaryPixel pixel = { labels.index(p), table.maskInBlock(masks[x], k) };
-                boundary[count] = pixel;
-                count += table.canLeave(pixel.mask) & (p.x < size.width) & (p.y < size.height);
+                band.columns[num_columns] = x;
+                num_columns += band.masks[x] != INTERIOR;
             }
+            for (int i = 0; i < num_columns; i++)
+            {
+                const Point corner(2 * band.columns[i], y);
+                const bool has_right = corner.x + 1 < size.width, has_lower = y + 1 < size.height;
+                const bool inside[4] = { true, has_right, has_lower, has_right && has_lower };
+                for (int k = 0; k < 4; k++)
+                {
+                    const BoundaryPixel pixel = { labels.index(corner) + offsets[k],
+                                                  table.maskInBlock(band.masks[band.columns[i]], k) };
+                    band.found[count] = pixel;
+                    count += table.canLeave(pixel.mask) & inside[k];
+                }
+            }
+            append(band.found, count, band.boundary);
         }
-    }
-    boundary.resize(count);
+    });
 }
 
-//! Marks of the listed pixels, for as long as the list is made: they are taken away even if memory runs out.
-class ListMarks
+//! Marks what touches some of the moves and lies in [first, last).
+static void markAround(const std::vector<Move>& moves, int first, int last, int step, std::vector<uchar>& marks)
 {
-public:
-    ListMarks(std::vector<uchar>& marks, const std::vector<BoundaryPixel>& listed) : marks_(marks), listed_(listed) {}
-    ~ListMarks()
+    for (size_t i = 0; i < moves.size(); i++)
+        for (int p = moves[i].index - step; p <= moves[i].index + step; p += step)
+            if (p >= first && p < last)
+                marks[p - 1] = marks[p] = marks[p + 1] = 1;
+}
+
+//! Lists the columns of a row that are marked.
+static int listMarked(const uchar* marks, int width, std::vector<int>& columns)
+{
+    const int AT_ONCE = 8;
+    int count = 0;
+    for (int x = 0; x < width; x += AT_ONCE)
     {
-        for (size_t i = 0; i < listed_.size(); i++)
-            marks_[listed_[i].index] = 0;
+        const int last = std::min(x + AT_ONCE, width);
+        uint64 any = 0;
+        memcpy(&any, marks + x, last - x);
+        for (int k = any ? x : last; k < last; k++)
+        {
+            columns[count] = k;
+            count += marks[k];
+        }
     }
+    return count;
+}
 
-private:
-    std::vector<uchar>& marks_;
-    const std::vector<BoundaryPixel>& listed_;
-};
-
-void listBoundaryAround(const std::vector<int>& pixels, const Padded<int>& labels, std::vector<uchar>& marks,
-                        std::vector<BoundaryPixel>& boundary)
+void listBoundaryAroundMoves(const Padded<int>& labels, SweepBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     const MaskTable& table = maskTable();
-    const int step = labels.step();
-    const int* label = labels.data();
-    marks.resize(size_t(step) * (labels.size().height + 2), 0);
-    boundary.clear();
-    const ListMarks marked(marks, boundary);
-    for (size_t i = 0; i < pixels.size(); i++)
-        for (int dy = -step; dy <= step; dy += step)
-            for (int p = pixels[i] + dy - 1; p <= pixels[i] + dy + 1; p++)
+    const int width = labels.size().width, step = labels.step();
+    buffers.marks.resize(size_t(step) * (labels.size().height + 2));
+    listBands(labels.size().height, buffers, [&](const Range& rows, Band& band)
+    {
+        const int first = labels.index(Point(-1, rows.start)), last = labels.index(Point(-1, rows.end));
+        std::fill(buffers.marks.begin() + first, buffers.marks.begin() + last, uchar(0));
+        const Band* const before = &band - (&band != &buffers.bands.front());
+        const Band* const after = &band + (&band != &buffers.bands.back());
+        for (const Band* near = before; near <= after; near++)
+            markAround(near->moves, first, last, step, buffers.marks);
+
+        band.found.resize(width);
+        band.columns.resize(width);
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, band.columns);
+            int count = 0;
+            for (int i = 0; i < num_columns; i++)
             {
-                if (marks[p] || label[p] == OUTSIDE)
-                    continue;
-                const BoundaryPixel pixel = { p, neighborMask(label + p, step, label[p]) };
-                if (!table.canLeave(pixel.mask))
-                    continue;
-                boundary.push_back(pixel);
-                marks[p] = 1;
+                const int index = left + band.columns[i], label = labels.data()[index];
+                const BoundaryPixel pixel = { index, neighborMask(labels.data() + index, step, label) };
+                band.found[count] = pixel;
+                count += table.canLeave(pixel.mask) & (label != OUTSIDE);
             }
+            append(band.found, count, band.boundary);
+        }
+    });
 }
 
-void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<BoundaryPixel>& boundary)
+void keepMarkers(const Mat& markers, const Padded<int>& labels, SweepBuffers& buffers)
 {
-    boundary.erase(std::remove_if(boundary.begin(), boundary.end(), [&](const BoundaryPixel& pixel)
+    for (size_t i = 0; i < buffers.bands.size(); i++)
     {
-        return markers.at<int>(labels.point(pixel.index)) >= 0;
-    }), boundary.end());
+        std::vector<BoundaryPixel>& boundary = buffers.bands[i].boundary;
+        boundary.erase(std::remove_if(boundary.begin(), boundary.end(), [&](const BoundaryPixel& pixel)
+        {
+            return markers.at<int>(labels.point(pixel.index)) >= 0;
+        }), boundary.end());
+    }
 }
 
 }}} // namespace

@@ -34,14 +34,18 @@ public:
     //! for each 4-neighbour and one for each diagonal one.
     int agreement(int mask) const { return agreement_[mask]; }
 
-    //! The lowest bit of a mask that is not 0.
+    //! The lowest and the highest bit of a mask that is not 0.
     int first(int mask) const { return first_[mask]; }
+    int last(int mask) const { return last_[mask]; }
+
+    //! Whether three of the 4-neighbours are not in the mask.
+    bool isTip(int mask) const { return is_tip_[mask]; }
 
     //! Mask of one of the pixels of a block, which are numbered in raster order, by the mask of the block.
-    int maskInBlock(int mask, int pixel) const { return in_block_[pixel][mask]; }
+    int maskInBlock(int mask, int pixel) const { return in_block_[mask][pixel]; }
 
 private:
-    uchar can_leave_[256], agreement_[256], first_[256], in_block_[4][256];
+    uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256], in_block_[256][4];
 };
 
 const MaskTable& maskTable();
@@ -52,18 +56,45 @@ struct BoundaryPixel
     int index, mask;
 };
 
-//! The pixels that may leave their regions, in raster order.
-void listBoundary(const Padded<int>& labels, std::vector<BoundaryPixel>& boundary);
+//! A pixel that goes from a region to another one.
+struct Move
+{
+    int index, from, to;
+};
+
+//! Some rows of an image, which are looked at together.
+struct Band
+{
+    std::vector<BoundaryPixel> boundary; //!< that is looked at
+    std::vector<Move> moves;             //!< that came of it
+
+    // Of a row:
+    std::vector<int> masks, columns;
+    std::vector<BoundaryPixel> found;
+};
+
+//! Buffers of a sweep. The bands have the same height for any number of threads, so that the result is the same.
+struct SweepBuffers
+{
+    enum { BAND_HEIGHT = 16 };
+
+    std::vector<Band> bands;
+    std::vector<uchar> marks; //!< by pixel
+
+    bool moved() const;
+};
+
+//! Lists the pixels that may leave their regions, in raster order in each band.
+void listBoundary(const Padded<int>& labels, SweepBuffers& buffers);
 
 //! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels.
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, std::vector<BoundaryPixel>& boundary);
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, SweepBuffers& buffers);
 
-//! Those of them that touch one of some pixels. marks are by pixel, and zero before and after.
-void listBoundaryAround(const std::vector<int>& pixels, const Padded<int>& labels, std::vector<uchar>& marks,
-                        std::vector<BoundaryPixel>& boundary);
+//! Lists those of them that touch one of the pixels that moved.
+void listBoundaryAroundMoves(const Padded<int>& labels, SweepBuffers& buffers);
 
-//! Takes the pixels of markers from the list, so that a sweep does not move them.
-void keepMarkers(const Mat& markers, const Padded<int>& labels, std::vector<BoundaryPixel>& boundary);
+//! Takes the pixels of markers from the lists, so that a sweep does not move them.
+void keepMarkers(const Mat& markers, const Padded<int>& labels, SweepBuffers& buffers);
 
 }}} // namespace
 

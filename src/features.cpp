@@ -7,73 +7,80 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Rows that one task takes, so that they are still in the cache when they are converted.
-static const int BAND = 16;
+enum { STRIDE = 16 }; // pixels that are converted at once
+
+//! Sums of up to 1024, so 16 bits hold them.
+struct Halves
+{
+    explicit Halves(const v_uint8x16& v) { v_expand(v, low, high); }
+    v_uint16x8 low, high;
+};
 
 //! The opponent space: lightness (R + 2G + B) / 4, and the differences of red against green and
 //! of yellow against blue, halved and shifted to 0..255.
 //! @note Measured level with CIELAB as the space of superpixels (doc/log.md), and a few additions.
-static void convertFromBGR(Feature* row, int cols)
+static inline void convertFromBGR(const v_uint16x8& b, const v_uint16x8& g, const v_uint16x8& r, v_uint16x8* color)
 {
-    for (int x = 0; x < cols; x++)
+    const v_uint16x8 red_and_green = v_add_wrap(r, g), blue_and_green = v_add_wrap(b, g);
+    const v_uint16x8 sum = v_add_wrap(red_and_green, blue_and_green);
+    color[0] = v_shr<2>(v_add_wrap(sum, v_setall_u16(2)));
+    color[1] = v_shr<1>(v_sub_wrap(v_add_wrap(r, v_setall_u16(256)), g));
+    color[2] = v_shr<2>(v_sub_wrap(v_add_wrap(red_and_green, v_setall_u16(512 + 2)), v_shl<1>(b)));
+}
+
+static inline void convertFromBGR(v_uint8x16& b, v_uint8x16& g, v_uint8x16& r)
+{
+    const Halves blue(b), green(g), red(r);
+    v_uint16x8 low[3], high[3];
+    convertFromBGR(blue.low, green.low, red.low, low);
+    convertFromBGR(blue.high, green.high, red.high, high);
+    b = v_pack(low[0], high[0]);
+    g = v_pack(low[1], high[1]);
+    r = v_pack(low[2], high[2]);
+}
+
+//! A row of pixels, 16 at a time.
+static inline void makeRow(const uchar* color, int channels, bool opponents, const uchar* depth, Feature* to)
+{
+    v_uint8x16 c0, c1, c2, alpha;
+    if (channels == 1)
     {
-        const int b = row[x].color[0], g = row[x].color[1], r = row[x].color[2];
-        row[x].color[0] = uchar((r + 2 * g + b + 2) >> 2);
-        row[x].color[1] = uchar((r - g + 256) >> 1);
-        row[x].color[2] = uchar((r + g - 2 * b + 512 + 2) >> 2);
-        row[x].depth = 0;
+        c0 = v_load(color);
+        c1 = c2 = v_setall_u8(128);
     }
-}
-
-static void copyGray(const uchar* from, Feature* to, int cols)
-{
-    for (int x = 0; x < cols; x++)
-    {
-        to[x].color[0] = from[x];
-        to[x].color[1] = to[x].color[2] = 128;
-        to[x].depth = 0;
-    }
-}
-
-static void clearDepth(Feature* to, int cols)
-{
-    for (int x = 0; x < cols; x++)
-        to[x].depth = 0;
-}
-
-static void copyDepth(const uchar* from, Feature* to, int cols)
-{
-    for (int x = 0; x < cols; x++)
-        to[x].depth = from[x];
+    else if (channels == 3)
+        v_load_deinterleave(color, c0, c1, c2);
+    else
+        v_load_deinterleave(color, c0, c1, c2, alpha);
+    if (opponents)
+        convertFromBGR(c0, c1, c2);
+    v_store_interleave(to->color, c0, c1, c2, depth ? v_load(depth) : v_setzero_u8());
 }
 
 void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features)
 {
     CV_TRACE_FUNCTION();
     features.create(color.size(), Feature());
-    const Mat map = features.view(CV_8UC4);
-    parallel_for_(Range(0, (color.rows + BAND - 1) / BAND), [&](const Range& bands)
+    const int channels = color.channels(), cols = color.cols;
+    const bool opponents = channels > 1 && !uniform_color;
+    parallel_for_(Range(0, color.rows), [&](const Range& range)
     {
-        const Range rows(bands.start * BAND, std::min(bands.end * BAND, color.rows));
-        for (int top = rows.start; top < rows.end; top += BAND)
+        for (int y = range.start; y < range.end; y++)
         {
-            const Range band(top, std::min(top + BAND, rows.end));
-            Mat part = map.rowRange(band);
-            if (color.channels() == 3)
-                cvtColor(color.rowRange(band), part, COLOR_BGR2BGRA);
-            else if (color.channels() == 4)
-                color.rowRange(band).copyTo(part);
-            for (int y = band.start; y < band.end; y++)
-            {
-                if (color.channels() == 1)
-                    copyGray(color.ptr(y), features.row(y), color.cols);
-                else if (uniform_color)
-                    clearDepth(features.row(y), color.cols);
-                else
-                    convertFromBGR(features.row(y), color.cols);
-                if (!depth.empty())
-                    copyDepth(depth.ptr(y), features.row(y), color.cols);
-            }
+            const uchar *from = color.ptr(y), *depths = depth.empty() ? 0 : depth.ptr(y);
+            Feature* to = features.row(y);
+            int x = 0;
+            for (; x <= cols - STRIDE; x += STRIDE)
+                makeRow(from + x * channels, channels, opponents, depths ? depths + x : 0, to + x);
+            if (x == cols)
+                continue;
+            uchar last_color[4 * STRIDE] = {}, last_depth[STRIDE] = {};
+            Feature last[STRIDE];
+            memcpy(last_color, from + x * channels, (cols - x) * channels);
+            if (depths)
+                memcpy(last_depth, depths + x, cols - x);
+            makeRow(last_color, channels, opponents, last_depth, last);
+            memcpy(to + x, last, (cols - x) * sizeof(Feature));
         }
     });
 }
@@ -85,22 +92,22 @@ static uchar meanDepth(int a, int b, int c, int d)
     return valid ? uchar((a + b + c + d + valid / 2) / valid) : uchar(0);
 }
 
-//! Means of 2x2 pixels without depth.
-static void halveColors(const Feature* upper, const Feature* lower, Feature* to, int cols)
+static inline v_uint16x8 quarter(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
 {
-    for (int x = 0; x < cols; x++)
-    {
-        for (int k = 0; k < 3; k++)
-            to[x].color[k] = uchar((upper[2 * x].color[k] + upper[2 * x + 1].color[k] +
-                                    lower[2 * x].color[k] + lower[2 * x + 1].color[k] + 2) >> 2);
-        to[x].depth = 0;
-    }
+    return v_shr<2>(v_add_wrap(v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d)), v_setall_u16(2)));
 }
 
-static void halveDepths(const Feature* upper, const Feature* lower, Feature* to, int cols)
+//! Means of blocks of 2x2 pixels, 4 blocks at a time.
+static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
-    for (int x = 0; x < cols; x++)
-        to[x].depth = meanDepth(upper[2 * x].depth, upper[2 * x + 1].depth, lower[2 * x].depth, lower[2 * x + 1].depth);
+    v_uint32x4 a, b, c, d; // the pixels of a block
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), a, b);
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
+    const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
+    const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
+    v_store(to->color, v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high)));
+    for (int i = 0; with_depth && i < 8; i += 2)
+        to[i / 2].depth = meanDepth(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
 }
 
 void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feature>& halved)
@@ -114,16 +121,21 @@ void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feat
         {
             const Feature* upper = features.row(2 * y);
             const Feature* lower = features.row(std::min(2 * y + 1, size.height - 1));
-            halveColors(upper, lower, halved.row(y), size.width / 2);
-            if (with_depth)
-                halveDepths(upper, lower, halved.row(y), size.width / 2);
-            if (size.width % 2)
+            Feature* to = halved.row(y);
+            int x = 0;
+            for (; x <= size.width / 2 - 4; x += 4)
+                halveRow(upper + 2 * x, lower + 2 * x, with_depth, to + x);
+            if (x == half.width)
+                continue;
+            Feature last_upper[8], last_lower[8], last[4];
+            for (int i = 0; i < 8; i++)
             {
-                const Feature last_upper[2] = { upper[size.width - 1], upper[size.width - 1] };
-                const Feature last_lower[2] = { lower[size.width - 1], lower[size.width - 1] };
-                halveColors(last_upper, last_lower, halved.row(y) + half.width - 1, 1);
-                halveDepths(last_upper, last_lower, halved.row(y) + half.width - 1, 1);
+                const int from = std::min(2 * x + i, size.width - 1);
+                last_upper[i] = upper[from];
+                last_lower[i] = lower[from];
             }
+            halveRow(last_upper, last_lower, with_depth, last);
+            std::copy(last, last + half.width - x, to + x);
         }
     });
 }

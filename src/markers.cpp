@@ -45,12 +45,18 @@ static int divide(int length, int i, int n)
     return int(int64(length) * i / n);
 }
 
-//! Cells of n markers, n <= pixels: rows of cells that are about square; rows may differ by one cell.
+//! Number of rows of n cells that are about square.
+static int countRows(Size size, int n)
+{
+    const int fewest = (n + size.width - 1) / size.width; // that the cells need at least
+    const int square = cvRound(std::sqrt(double(n) * size.height / size.width));
+    return std::max(fewest, std::min(square, std::min(size.height, n)));
+}
+
+//! Cells of n markers, n <= pixels; rows may differ by one cell.
 static std::vector<Rect> divideIntoCells(Size size, int n)
 {
-    const int fewest = (n + size.width - 1) / size.width; // rows that the cells need at least
-    const int square = cvRound(std::sqrt(double(n) * size.height / size.width));
-    const int rows = std::max(fewest, std::min(square, std::min(size.height, n)));
+    const int rows = countRows(size, n);
     std::vector<Rect> cells(n);
     for (int i = 0; i < rows; i++)
     {
@@ -64,6 +70,22 @@ static std::vector<Rect> divideIntoCells(Size size, int n)
         }
     }
     return cells;
+}
+
+void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands)
+{
+    const int rows = countRows(size, num_markers);
+    bands.clear();
+    for (int i = 0, first = 0; i < rows; i++)
+    {
+        const int top = divide(size.height, first, rows), bottom = divide(size.height, i + 1, rows);
+        if (bottom - top < height && i + 1 < rows)
+            continue;
+        const MarkerBand band = { Range(top, bottom),
+                                  Range(divide(num_markers, first, rows), divide(num_markers, i + 1, rows)) };
+        bands.push_back(band);
+        first = i + 1;
+    }
 }
 
 void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers)

@@ -16,9 +16,9 @@ struct FeatureHeight
     int operator()(Point p, Point q) const
     {
         const Feature& f = features.row(q.y)[q.x];
-        const RegionMean mean = { { 16 * f.color[0], 16 * f.color[1], 16 * f.color[2] },
-                                  f.depth ? 16 * f.depth : int(RegionMean::NO_DEPTH) };
-        return distance(features.row(p.y)[p.x], mean);
+        RegionSum one = RegionSum();
+        one.add(f);
+        return distance(features.row(p.y)[p.x], one.mean());
     }
 
     const Padded<Feature>& features;

@@ -13,102 +13,171 @@ class BoundarySweep
 {
 public:
     BoundarySweep(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                  VariationGuard* guard, Padded<int>& labels, Regions& regions)
-        : table_(maskTable()), features_(features), distance_(distance), length_price_(length_price), guard_(guard),
-          labels_(labels), regions_(regions)
+                  const VariationGuard* guard, Padded<int>& labels, Regions& regions)
+        : table_(maskTable()), features_(features), distance_(distance), guard_(guard), labels_(labels),
+          regions_(regions)
     {
         const int step = labels.step();
         const int offsets[8] = { -step - 1, -step, -step + 1, 1, step + 1, step, step - 1, -1 };
-        std::copy(offsets, offsets + 8, offsets_);
+        for (int mask = 0; mask < 256; mask++)
+        {
+            savings_[mask] = length_price * table_.agreement(mask);
+            first_offsets_[mask] = offsets[table_.first(mask & MaskTable::FOUR_NEIGHBORS)];
+            last_offsets_[mask] = offsets[table_.last(mask & MaskTable::FOUR_NEIGHBORS)];
+        }
     }
 
-    enum { STAY = -1 };
-
-    //! The region of a 4-neighbour of the lowest energy, if that is lower than the energy of its own.
-    int choose(const BoundaryPixel& pixel) const
+    //! Lists the moves that lower the energy.
+    void choose(const std::vector<BoundaryPixel>& boundary, std::vector<Move>& moves) const
     {
-        const int* label = labels_.data() + pixel.index;
-        const Feature& feature = features_.data()[pixel.index];
-        const int agreement = table_.agreement(pixel.mask);
-        // What others can save in boundary: they have all neighbours but these at most.
-        const int largest_saving = length_price_ * (MaskTable::ALL_AGREE - agreement);
-        int best = STAY, lowest = deviation(feature, *label) - length_price_ * agreement;
-        // Others win at most that, even if their mean were the colour.
-        int others = lowest > -largest_saving ? ~pixel.mask & MaskTable::FOUR_NEIGHBORS : 0;
-        for (; others; others &= others - 1)
+        enum { BATCH = 256 };
+        OpenPixel open[BATCH];
+        moves.clear();
+        for (size_t first = 0; first < boundary.size(); first += BATCH)
         {
-            const int region = label[offsets_[table_.first(others)]];
-            if (region == OUTSIDE || region == best)
-                continue;
-            const int d = deviation(feature, region);
-            if (d - largest_saving >= lowest)
-                continue;
-            const int e = d - length_price_ * table_.agreement(neighborMask(label, labels_.step(), region));
-            if (e < lowest)
+            const int n = int(std::min(boundary.size() - first, size_t(BATCH)));
+            const int count = distance_.with_depth ? findOpen<true>(&boundary[first], n, open)
+                                                   : findOpen<false>(&boundary[first], n, open);
+            for (int i = 0; i < count; i++)
             {
-                lowest = e;
-                best = region;
+                const BoundaryPixel& pixel = boundary[first + open[i].position];
+                const Move move = { pixel.index, labels_.data()[pixel.index], chooseRegion(pixel, open[i].energy) };
+                if (move.to != move.from)
+                    moves.push_back(move);
             }
         }
-        return best;
     }
 
-    //! Moves a pixel to the region that it chose, if it still may and that still pays.
-    bool move(int p, int to)
+    //! Makes the moves that are still allowed and still pay, in turn. The others leave the list.
+    void move(std::vector<Move>& moves)
     {
-        int& label = labels_.data()[p];
-        const Feature& feature = features_.data()[p];
-        const int from = label, mask_from = neighborMask(&label, labels_.step(), from);
-        const int mask_to = neighborMask(&label, labels_.step(), to);
-        if (!table_.canLeave(mask_from) || !(mask_to & MaskTable::FOUR_NEIGHBORS))
-            return false;
-        const int saving = length_price_ * (table_.agreement(mask_to) - table_.agreement(mask_from));
-        if (deviation(feature, to) - saving >= deviation(feature, from))
-            return false;
-        if (guard_ && !guard_->permits(labels_.point(p), from, to))
-            return false;
-        label = to;
-        regions_.sums[from].add(feature, -1);
-        regions_.sums[to].add(feature);
-        if (guard_)
-            guard_->move(labels_.point(p), from, to);
-        return true;
+        size_t made = 0;
+        for (size_t i = 0; i < moves.size(); i++)
+        {
+            if (!pays(moves[i]))
+                continue;
+            labels_.data()[moves[i].index] = moves[i].to;
+            moves[made++] = moves[i];
+        }
+        moves.resize(made);
     }
 
 private:
-    //! Squared distance to the mean of a region, in squared levels. The energy is this less the boundary saved.
-    int deviation(const Feature& feature, int region) const
+    //! A pixel that another region may win.
+    struct OpenPixel
     {
-        return distance_.squared(feature, regions_.means[region]);
+        int position, energy;
+    };
+
+    //! Most pixels lie near to the mean of their region and far from that of the one beside it. They are passed over
+    //! here, in a loop without branches: no one could foresee which they are.
+    template <bool WITH_DEPTH> int findOpen(const BoundaryPixel* boundary, int n, OpenPixel* open) const
+    {
+        int count = 0;
+        for (int i = 0; i < n; i++)
+        {
+            const BoundaryPixel& pixel = boundary[i];
+            const int* label = labels_.data() + pixel.index;
+            const int others = ~pixel.mask & 255, other = label[first_offsets_[others]];
+            const Vec2i squares = distance_.squared<WITH_DEPTH>(features_.data()[pixel.index], regions_.means[*label],
+                                                                regions_.means[std::max(other, 0)]);
+            const OpenPixel candidate = { i, squares[0] - savings_[pixel.mask] };
+            open[count] = candidate;
+            // Others can save no more boundary than with all neighbours but these.
+            const bool wins = squares[1] - savings_[others] < candidate.energy;
+            const bool another_wins = -savings_[others] < candidate.energy;
+            const bool several = (label[last_offsets_[others]] != other) | table_.isTip(pixel.mask);
+            count += wins | (another_wins & several);
+        }
+        return count;
+    }
+
+    //! The region of a 4-neighbour of the lowest energy, if that is lower than the energy of its own.
+    int chooseRegion(const BoundaryPixel& pixel, int energy) const
+    {
+        const int* label = labels_.data() + pixel.index;
+        int best = *label, others = ~pixel.mask & 255;
+        do
+        {
+            const int region = label[first_offsets_[others]];
+            const int mask = neighborMask(label, labels_.step(), region);
+            const int e = distance_.squared(features_.data()[pixel.index], regions_.means[std::max(region, 0)]) -
+                          savings_[mask];
+            const bool better = (e < energy) & (region != OUTSIDE);
+            best = better ? region : best;
+            energy = better ? e : energy;
+            others &= ~mask;
+        }
+        while (others & MaskTable::FOUR_NEIGHBORS);
+        return best;
+    }
+
+    //! Whether a pixel still may leave its region and gains by it.
+    bool pays(const Move& move) const
+    {
+        const int* label = labels_.data() + move.index;
+        const int mask_from = neighborMask(label, labels_.step(), move.from);
+        const int mask_to = neighborMask(label, labels_.step(), move.to);
+        if (!table_.canLeave(mask_from) || !(mask_to & MaskTable::FOUR_NEIGHBORS))
+            return false;
+        const Vec2i squares = distance_.squared<true>(features_.data()[move.index], regions_.means[move.from],
+                                                      regions_.means[move.to]);
+        return squares[1] - savings_[mask_to] < squares[0] - savings_[mask_from] &&
+               (!guard_ || guard_->permits(labels_.point(move.index), move.from, move.to));
     }
 
     const MaskTable& table_;
     const Padded<Feature>& features_;
     const RegionDistance distance_;
-    const int length_price_;
-    VariationGuard* const guard_;
+    const VariationGuard* const guard_;
     Padded<int>& labels_;
     Regions& regions_;
-    int offsets_[8]; // of the neighbours, in the order of their bits
+    int savings_[256];                             // in energy, by mask of the neighbours that agree
+    int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours in a mask
 };
+
+//! Every second group of bands, beginning with one of them: no two of these touch, so they move at the same time.
+//! @note Groups are high because what the order of the moves decides, such as the side of an edge that a strip of one
+//! pixel in width goes along, changes between them.
+static void moveEverySecond(int first, BoundarySweep& sweep, std::vector<Band>& bands)
+{
+    const int GROUP = 4, count = (int(bands.size()) + GROUP - 1) / GROUP;
+    parallel_for_(Range(0, (count - first + 1) / 2), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            const int begin = (first + 2 * i) * GROUP, end = std::min(begin + GROUP, int(bands.size()));
+            for (int k = begin; k < end; k++)
+                sweep.move(bands[k].moves);
+        }
+    });
+}
 
 //! Means are those of the beginning of the sweep.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, const std::vector<BoundaryPixel>& boundary, Padded<int>& labels,
-                   Regions& regions, std::vector<int>& chosen, std::vector<int>& moved)
+                   VariationGuard* guard, SweepBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
+    std::vector<Band>& bands = buffers.bands;
     BoundarySweep sweep(features, distance, length_price, guard, labels, regions);
-    chosen.resize(boundary.size());
-    parallel_for_(Range(0, int(boundary.size())), [&](const Range& range)
+    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            chosen[i] = sweep.choose(boundary[i]);
+            sweep.choose(bands[i].boundary, bands[i].moves);
     });
-    moved.clear();
-    for (size_t i = 0; i < boundary.size(); i++)
-        if (chosen[i] != BoundarySweep::STAY && sweep.move(boundary[i].index, chosen[i]))
-            moved.push_back(boundary[i].index);
+    moveEverySecond(0, sweep, bands);
+    moveEverySecond(1, sweep, bands);
+
+    for (size_t i = 0; i < bands.size(); i++)
+        for (size_t k = 0; k < bands[i].moves.size(); k++)
+        {
+            const Move& move = bands[i].moves[k];
+            const Feature& feature = features.data()[move.index];
+            regions.sums[move.from].add(feature, -1);
+            regions.sums[move.to].add(feature);
+            if (guard)
+                guard->move(labels.point(move.index), move.from, move.to);
+        }
     regions.update();
     if (guard)
         guard->update();

@@ -75,26 +75,28 @@ static inline int octagonalLength(Point v)
 class RegionFlood
 {
 public:
-    RegionFlood(const Padded<Feature>& features, const std::vector<Point>& centers, const RegionDistance& distance,
-                int ruler, FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
-        : features_(features), centers_(centers), distance_(distance), ruler_(ruler),
-          neighbors_(labels.neighbors()), labels_(labels), regions_(regions), queue_(buffers.entries),
+    //! Floods some rows; nothing crosses to others.
+    RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
+                std::vector<FloodBuffers::Entry>& entries, FloodBuffers& buffers, Padded<int>& labels,
+                Regions& regions)
+        : features_(features), centers_(buffers.centers), distance_(distance), ruler_(ruler),
+          neighbors_(labels.neighbors()), first_node_(labels.index(Point(0, rows.start))),
+          end_node_(labels.index(Point(0, rows.end))), labels_(labels), regions_(regions), queue_(entries),
           updates_(buffers.updates), heights_(buffers.heights)
     {
-        updates_.resize(regions.size());
-        for (int i = 0; i < regions.size(); i++)
-            updates_[i] = nextUpdate(regions.sums[i].area);
-        heights_.resize(size_t(features.step()) * (features.size().height + 2));
     }
+
+    //! The mean of many hardly moves.
+    static int nextUpdate(int area) { return area + area / 4 + 1; }
 
     //! Invariant: a node may wait several times, each time at a lower height and for the region
     //! that offered it; when it is first taken out, the last offer stands, and the node takes
     //! that label. No height lies below the one being flooded, and equal heights keep their order,
     //! so the result depends on the order of the markers and nothing else.
-    void run(const std::vector<Point>& seeds)
+    void run(const Point* first_seed, const Point* end_seed)
     {
-        for (size_t i = 0; i < seeds.size(); i++)
-            spread(seeds[i], labels_.row(seeds[i].y)[seeds[i].x]);
+        for (const Point* seed = first_seed; seed != end_seed; seed++)
+            spread(*seed, labels_.row(seed->y)[seed->x]);
         Point node;
         while (queue_.pop(node))
         {
@@ -120,16 +122,13 @@ private:
         updates_[i] = nextUpdate(sum.area);
     }
 
-    //! The mean of many hardly moves.
-    static int nextUpdate(int area) { return area + area / 4 + 1; }
-
     void spread(Point node, int i)
     {
         const int index = labels_.index(node);
         for (int k = 0; k < 4; k++)
         {
             const int to = index + neighbors_[k], label = labels_.data()[to];
-            if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
+            if (label >= 0 || label == OUTSIDE || label == OFFERED - i || to < first_node_ || to >= end_node_)
                 continue;
             const Point neighbor(node.x + (k == 2) - (k == 0), node.y + (k == 3) - (k == 1));
             const int height = std::max(heightOf(to, i, neighbor - centers_[i]), queue_.height());
@@ -154,6 +153,7 @@ private:
     const RegionDistance distance_;
     const int ruler_;
     const Vec4i neighbors_;
+    const int first_node_, end_node_;
     Padded<int>& labels_;
     Regions& regions_;
     HeightQueue queue_;
@@ -161,11 +161,21 @@ private:
     std::vector<ushort>& heights_;
 };
 
+//! Makes the buffers ready for the regions and nodes that there are.
+static void prepare(const Padded<int>& labels, const Regions& regions, int num_bands, FloodBuffers& buffers)
+{
+    buffers.entries.resize(num_bands);
+    buffers.updates.resize(regions.size());
+    for (int i = 0; i < regions.size(); i++)
+        buffers.updates[i] = RegionFlood::nextUpdate(regions.sums[i].area);
+    buffers.heights.resize(size_t(labels.step()) * (labels.size().height + 2));
+}
+
 //! @note Section III.B with a region in the place of the neighbour: the height of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
 void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
-                     const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
-                     Regions& regions)
+                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
+                     FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     const int first = regions.size();
@@ -180,7 +190,13 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
         regions.sums[first + i].add(features.data()[seed]);
         regions.update(first + i);
     }
-    RegionFlood(features, buffers.centers, distance, ruler, buffers, labels, regions).run(markers);
+    prepare(labels, regions, int(bands.size()), buffers);
+    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            RegionFlood(features, distance, ruler, bands[i].rows, buffers.entries[i], buffers, labels, regions)
+                .run(markers.data() + bands[i].markers.start, markers.data() + bands[i].markers.end);
+    });
     regions.update();
 }
 
@@ -190,18 +206,21 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
     CV_TRACE_FUNCTION();
     const Size size = labels.size();
     const int step = labels.step();
-    buffers.seeds.clear();
+    std::vector<Point>& seeds = buffers.seeds;
+    seeds.clear();
     for (int y = 0; y < size.height; y++)
     {
         const int* row = labels.row(y);
         for (int x = 0; x < size.width; x++)
             if (row[x] >= 0 && (row[x - 1] == UNSEEN || row[x + 1] == UNSEEN ||
                                 row[x - step] == UNSEEN || row[x + step] == UNSEEN))
-                buffers.seeds.push_back(Point(x, y));
+                seeds.push_back(Point(x, y));
     }
     const int NO_RULER = 0;
     buffers.centers.assign(regions.size(), Point());
-    RegionFlood(features, buffers.centers, distance, NO_RULER, buffers, labels, regions).run(buffers.seeds);
+    prepare(labels, regions, 1, buffers);
+    RegionFlood(features, distance, NO_RULER, Range(0, size.height), buffers.entries[0], buffers, labels, regions)
+        .run(seeds.data(), seeds.data() + seeds.size());
     regions.update();
 }
 

@@ -34,11 +34,11 @@ static Change findChange(const std::vector<int64>& errors, const std::vector<int
 //! they were made is made anew. Returns false, with nothing that can be used, if most of the scene is new.
 bool RegionWatershed::follow(const Frame& frame, int level, int length_price, const Parameters& parameters)
 {
-    const RegionDistance distance = sweepDistance(parameters.alpha);
+    const RegionDistance distance = sweepDistance(parameters.alpha, !frame.depth.empty());
     std::vector<int64> errors;
     regions_.resize(int(errors_.size()));
     measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
-    listBoundary(labels_[level], sweep_buffers_.boundary);
+    listBoundary(labels_[level], sweep_buffers_);
     sweepOnce(level, length_price, distance, frame, 0);
     sweepAgain(SWEEPS_TO_FOLLOW - 1, level, length_price, distance, frame, 0);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
@@ -48,8 +48,10 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
         return false;
     if (change.changed_area == 0)
         return true;
-    const int num_kept = floodAnew(level, change.changed, change.changed_area, change.area, parameters);
-    mergeAnew(level, num_kept, change.changed, parameters);
+    const RegionDistance flood_distance = floodDistance(parameters.alpha, !frame.depth.empty());
+    const int num_kept = floodAnew(level, change.changed, change.changed_area, change.area, flood_distance,
+                                   parameters.ruler);
+    mergeAnew(level, num_kept, change.changed, flood_distance, parameters.ruler);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
     for (size_t i = 0; i < errors.size(); i++)
         if (change.changed[i])
@@ -61,10 +63,9 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
 //! are numbered anew: those that are left first; names_ are their labels, and those that were where the new ones are.
 //! Returns how many are left.
 int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
-                               const Parameters& parameters)
+                               const RegionDistance& distance, float ruler)
 {
     const Padded<Feature>& features = features_[level];
-    const RegionDistance distance = floodDistance(parameters.alpha);
     const int num_regions = regions_.size();
     Mat map = labels_[level].view(CV_32SC1);
     map.copyTo(last_map_);
@@ -86,7 +87,8 @@ int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, dou
     computeGradient(features, distance, gradient_);
     compare(map, Scalar(UNSEEN), dissolved_, CMP_EQ);
     placeMarkers(gradient_, dissolved_, num_markers, marker_buffers_, markers_);
-    floodFromPoints(features, markers_, distance, floodRuler(changed_area, num_markers, parameters.ruler),
+    bands_.assign(1, wholeBand(features.size(), markers_));
+    floodFromPoints(features, markers_, bands_, distance, floodRuler(changed_area, num_markers, ruler),
                     flood_buffers_, labels_[level], regions_);
     for (size_t i = 0; i < markers_.size(); i++)
         names_.push_back(last_map_.at<int>(markers_[i]));
@@ -95,14 +97,14 @@ int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, dou
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionWatershed::mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const Parameters& parameters)
+void RegionWatershed::mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance,
+                                float ruler)
 {
     Mat map = labels_[level].view(CV_32SC1);
     std::vector<int> areas(regions_.size());
     for (int i = 0; i < regions_.size(); i++)
         areas[i] = regions_.sums[i].area;
-    SimilarMerger merger(floodDistance(parameters.alpha), lengthExponent(parameters.ruler), 0, merge_buffers_,
-                         regions_);
+    SimilarMerger merger(distance, lengthExponent(ruler), 0, merge_buffers_, regions_);
     addBoundaries(map, NoHeight(), merger.graph());
     merger.run(int(changed.size()));
     nameGroups(merger.graph().parents(), areas, names_, num_kept, numbers_);

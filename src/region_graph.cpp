@@ -8,9 +8,14 @@ namespace cv { namespace ximgproc { namespace gws {
 
 void RegionGraph::reset(int num_regions)
 {
-    const int USUAL_BOUNDARIES = 3; // for each region
+    const size_t usual = 3 * size_t(num_regions); // boundaries
+    size_t slots = 16;
+    while (slots < 2 * usual)
+        slots *= 2;
+    table_.assign(slots, int(NONE));
+    num_filled_ = 0;
     boundaries_.clear();
-    boundaries_.reserve(size_t(num_regions) * USUAL_BOUNDARIES);
+    boundaries_.reserve(usual);
     firsts_.assign(num_regions, int(NONE));
     degrees_.assign(num_regions, 0);
     parents_.resize(num_regions);
@@ -40,15 +45,37 @@ int RegionGraph::next(int region, int boundary)
     return skipGone(region, b.next[b.side(region)]);
 }
 
-//! Looks through the shorter one of the lists.
-int RegionGraph::find(int a, int b)
+//! Where a search begins; the slots after it follow. The same for both orders of the regions.
+size_t RegionGraph::slotOf(int a, int b) const
 {
-    if (degrees_[b] < degrees_[a])
-        std::swap(a, b);
-    for (int i = first(a); i != NONE; i = next(a, i))
-        if (boundaries_[i].regions[!boundaries_[i].side(a)] == b)
-            return i;
+    const uint64 key = (uint64(std::max(a, b)) << 32) + std::min(a, b);
+    return size_t((key * CV_BIG_UINT(0x9E3779B97F4A7C15)) >> 32) & (table_.size() - 1);
+}
+
+int RegionGraph::find(int a, int b) const
+{
+    for (size_t slot = slotOf(a, b); table_[slot] != NONE; slot = (slot + 1) & (table_.size() - 1))
+    {
+        const Boundary& known = boundaries_[table_[slot]];
+        if (known.exists() && known.regions[known.side(a)] == a && known.regions[!known.side(a)] == b)
+            return table_[slot];
+    }
     return NONE;
+}
+
+void RegionGraph::addToTable(int boundary)
+{
+    size_t slot = slotOf(boundaries_[boundary].regions[0], boundaries_[boundary].regions[1]);
+    while (table_[slot] != NONE)
+        slot = (slot + 1) & (table_.size() - 1);
+    table_[slot] = boundary;
+    if (++num_filled_ <= table_.size() / 2)
+        return;
+    table_.assign(2 * table_.size(), int(NONE));
+    num_filled_ = 0;
+    for (size_t i = 0; i < boundaries_.size(); i++)
+        if (boundaries_[i].exists())
+            addToTable(int(i));
 }
 
 void RegionGraph::add(int a, int b, int length, int64 height)
@@ -65,6 +92,7 @@ void RegionGraph::add(int a, int b, int length, int64 height)
     degrees_[a]++;
     degrees_[b]++;
     boundaries_.push_back(boundary);
+    addToTable(int(boundaries_.size()) - 1);
 }
 
 void RegionGraph::unite(int from, int to, std::vector<int>& joined)
@@ -81,6 +109,7 @@ void RegionGraph::unite(int from, int to, std::vector<int>& joined)
             boundary.next[side] = firsts_[to];
             firsts_[to] = i;
             degrees_[to]++;
+            addToTable(i);
         }
         else
         {

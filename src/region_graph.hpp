@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The regions of a label map and the boundaries between them; regions can be united. All work is in
-//! proportion to the number of neighbours of the region that has fewer of them.
+//! The regions of a label map and the boundaries between them; regions can be united, which takes time in
+//! proportion to the number of neighbours of the one that goes.
 class RegionGraph
 {
 public:
@@ -54,9 +54,13 @@ public:
 
 private:
     int skipGone(int region, int& link);
-    int find(int a, int b);
+    int find(int a, int b) const;
+    void addToTable(int boundary);
+    size_t slotOf(int a, int b) const;
 
     std::vector<Boundary> boundaries_;
+    std::vector<int> table_; // of the boundaries by their regions, in the first free slot; 2^k of them
+    size_t num_filled_;      // slots, also by what is no more or has other regions now
     std::vector<int> firsts_;
     std::vector<int> degrees_; // lengths of the lists, in which some may be no more
     std::vector<int> parents_;

@@ -15,6 +15,7 @@ namespace cv { namespace ximgproc { namespace gws {
 static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
 static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
 static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
+static const int FLOOD_BAND = 16;              // rows of blocks that are flooded by themselves, at least
 static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -60,15 +61,15 @@ inline double fewestBlocks(int num_superpixels, float ruler)
 }
 
 //! The distance that leads in finding regions.
-inline RegionDistance floodDistance(float alpha)
+inline RegionDistance floodDistance(float alpha, bool with_depth)
 {
-    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha);
+    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, with_depth);
 }
 
 //! The distance that leads in settling boundaries.
-inline RegionDistance sweepDistance(float alpha)
+inline RegionDistance sweepDistance(float alpha, bool with_depth)
 {
-    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha);
+    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, with_depth);
 }
 
 }}} // namespace

@@ -8,6 +8,7 @@
 #include "boundary.hpp"
 #include "region.hpp"
 #include "region_graph.hpp"
+#include "steps.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -31,19 +32,19 @@ struct FloodBuffers
         Point node;
         int next;
     };
-    std::vector<Entry> entries;  // of the queues
-    std::vector<Point> seeds;    // nodes that the flood begins with
-    std::vector<Point> centers;  // that the ruler counts from
-    std::vector<int> updates;    // area at which the means of a region are taken anew
-    std::vector<ushort> heights; // at which a node waits
+    std::vector<std::vector<Entry> > entries; // of the queues, for each band
+    std::vector<Point> seeds;                 // nodes that the flood begins with
+    std::vector<Point> centers;               // that the ruler counts from
+    std::vector<int> updates;                 // area at which the means of a region are taken anew
+    std::vector<ushort> heights;              // at which a node waits
 };
 
-//! Floods the UNSEEN pixels from the markers; each grows a new region behind those that are there.
-//! (region_flood.cpp)
+//! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
+//! are there. (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
 void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
-                     const RegionDistance& distance, int ruler, FloodBuffers& buffers, Padded<int>& labels,
-                     Regions& regions);
+                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
+                     FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
 //! stays UNSEEN. (region_flood.cpp)
@@ -119,22 +120,12 @@ private:
     std::vector<int> areas_;
 };
 
-//! Buffers of a sweep.
-struct SweepBuffers
-{
-    std::vector<BoundaryPixel> boundary; // that is looked at
-    std::vector<int> chosen;  // regions
-    std::vector<int> moved;   // pixels
-    std::vector<uchar> marks; // by pixel; zero between sweeps
-};
-
-//! One pass over a list of the boundary: its pixels go to the neighbouring region of the lowest energy, while
-//! each region stays one piece. Lists those that moved. (refine.cpp)
+//! One pass over the listed boundary: its pixels go to the neighbouring region of the lowest energy, while
+//! each region stays one piece. (refine.cpp)
 //! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
 //! guard may be 0.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, const std::vector<BoundaryPixel>& boundary, Padded<int>& labels,
-                   Regions& regions, std::vector<int>& chosen, std::vector<int>& moved);
+                   VariationGuard* guard, SweepBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 }}} // namespace
 

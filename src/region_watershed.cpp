@@ -49,21 +49,18 @@ void RegionWatershed::reserve(Size size)
 void RegionWatershed::sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
                                 VariationGuard* guard)
 {
-    SweepBuffers& buffers = sweep_buffers_;
     if (!frame.markers.empty())
-        keepMarkers(frame.markers, labels_[0], buffers.boundary);
-    sweepBoundary(features_[level], distance, length_price, guard, buffers.boundary, labels_[level], regions_,
-                  buffers.chosen, buffers.moved);
+        keepMarkers(frame.markers, labels_[0], sweep_buffers_);
+    sweepBoundary(features_[level], distance, length_price, guard, sweep_buffers_, labels_[level], regions_);
 }
 
 //! Sweeps around the pixels that moved in the last one.
 void RegionWatershed::sweepAgain(int count, int level, int length_price, const RegionDistance& distance,
                                  const Frame& frame, VariationGuard* guard)
 {
-    SweepBuffers& buffers = sweep_buffers_;
-    for (int i = 0; i < count && !buffers.moved.empty(); i++)
+    for (int i = 0; i < count && sweep_buffers_.moved(); i++)
     {
-        listBoundaryAround(buffers.moved, labels_[level], buffers.marks, buffers.boundary);
+        listBoundaryAroundMoves(labels_[level], sweep_buffers_);
         sweepOnce(level, length_price, distance, frame, guard);
     }
 }
@@ -79,22 +76,26 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     const int num_superpixels = masked ? std::max(frame.num_superpixels - masks_.lost(level), masks_.components(level))
                                        : frame.num_superpixels;
     const int num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
-    const RegionDistance distance = floodDistance(parameters.alpha);
+    const RegionDistance distance = floodDistance(parameters.alpha, !frame.depth.empty());
 
     computeGradient(features, distance, gradient_);
     if (masked)
     {
         forgetGradients(mask, gradient_);
         placeMarkers(gradient_, mask, num_markers, marker_buffers_, markers_);
+        bands_.assign(1, wholeBand(features.size(), markers_));
     }
     else
+    {
         placeMarkers(gradient_, num_markers, markers_);
+        divideIntoBands(features.size(), num_markers, FLOOD_BAND, bands_);
+    }
     clearLabels(features.size(), mask, labels_[level]);
     regions_.resize(0);
-    floodFromPoints(features, markers_, distance, floodRuler(blocks, num_markers, parameters.ruler), flood_buffers_,
+    floodFromPoints(features, markers_, bands_, distance, floodRuler(blocks, num_markers, parameters.ruler), flood_buffers_,
                     labels_[level], regions_);
     const int price = boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler);
-    listBoundary(labels_[level], sweep_buffers_.boundary);
+    listBoundary(labels_[level], sweep_buffers_);
     sweepOnce(level, price, distance, frame, 0);
     sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, price, distance, frame, 0);
     mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
@@ -141,7 +142,7 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
     const double fewest_blocks = fewestBlocks(frame.num_superpixels, parameters.ruler);
-    const RegionDistance distance = sweepDistance(parameters.alpha);
+    const RegionDistance distance = sweepDistance(parameters.alpha, !frame.depth.empty());
     const int price = boundaryPrice(PRICE, side, parameters.ruler);
 
     int top = 0;
@@ -169,16 +170,16 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
         if (level < top)
             descend(frame, level, distance);
         if (level < top && !masked)
-            listBoundaryOfBlocks(labels_[level + 1], labels_[level], sweep_buffers_.boundary);
+            listBoundaryOfBlocks(labels_[level + 1], labels_[level], sweep_buffers_);
         else
-            listBoundary(labels_[level], sweep_buffers_.boundary);
+            listBoundary(labels_[level], sweep_buffers_);
         sweepOnce(level, price, distance, frame, 0);
         sweepAgain((level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS) - 1, level, price, distance, frame, 0);
     }
     if (num_iterations > 1)
     {
         VariationGuard guard(frame.color, labels_[0], regions_.size());
-        for (int i = 1; i < num_iterations && !sweep_buffers_.moved.empty(); i++)
+        for (int i = 1; i < num_iterations && sweep_buffers_.moved(); i++)
             sweepAgain(SWEEPS_PER_ITERATION, 0, price, distance, frame, &guard);
     }
     labels_[0].view(CV_32SC1).copyTo(labels);

@@ -32,8 +32,8 @@ private:
     void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
     bool follow(const Frame& frame, int level, int length_price, const Parameters& parameters);
     int floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
-                  const Parameters& parameters);
-    void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const Parameters& parameters);
+                  const RegionDistance& distance, float ruler);
+    void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance, float ruler);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
     void sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
@@ -41,11 +41,19 @@ private:
     void sweepAgain(int count, int level, int length_price, const RegionDistance& distance, const Frame& frame,
                     VariationGuard* guard);
 
+    //! All rows and all markers.
+    static MarkerBand wholeBand(Size size, const std::vector<Point>& markers)
+    {
+        const MarkerBand band = { Range(0, size.height), Range(0, int(markers.size())) };
+        return band;
+    }
+
     MaskPyramid masks_;
     Mat gradient_;
     Padded<Feature> features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];
     std::vector<Point> markers_;
+    std::vector<MarkerBand> bands_;
     Regions regions_;
     int top_ = 0;               // level of the last flood
     std::vector<int64> errors_; // of the regions there, when each of them was made

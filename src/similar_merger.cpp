@@ -63,7 +63,7 @@ int SimilarMerger::cost(const RegionGraph::Boundary& boundary) const
     const int log_a = logarithm(area_a), log_b = logarithm(area_b);
     const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
     const int log_length = logarithm(boundary.length), length = log_length - std::min(log_a, log_b) / 2;
-    const int64 distance = squaredDistance(regions_.means[a], regions_.means[b]);
+    const int distance = squaredDistance(regions_.means[a], regions_.means[b]);
     int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length;
     if (height_exponent_ > 0)
         sum += height_exponent_ * (logarithm(boundary.height + 16 * int64(boundary.length)) - log_length);
@@ -71,17 +71,17 @@ int SimilarMerger::cost(const RegionGraph::Boundary& boundary) const
 }
 
 //! Of the means, in 1/256 of a squared level, with the weights of the flood.
-int64 SimilarMerger::squaredDistance(const RegionMean& a, const RegionMean& b) const
+int SimilarMerger::squaredDistance(const RegionMean& a, const RegionMean& b) const
 {
-    const int64 d0 = (distance_.lightness * (a.color[0] - b.color[0])) >> 8;
-    const int64 d1 = (distance_.chroma * (a.color[1] - b.color[1])) >> 8;
-    const int64 d2 = (distance_.chroma * (a.color[2] - b.color[2])) >> 8;
-    const int64 color = d0 * d0 + d1 * d1 + d2 * d2;
-    if (a.depth == RegionMean::NO_DEPTH || b.depth == RegionMean::NO_DEPTH)
-        return color;
-    const int64 depth = a.depth - b.depth;
-    const int64 color_share = distance_.color_share, depth_share = distance_.depth_share;
-    return (color_share * color_share * color + depth_share * depth_share * depth * depth) >> 16;
+    const short* weights = distance_.weights[a.depth != RegionMean::NO_DEPTH && b.depth != RegionMean::NO_DEPTH];
+    const int depth = (weights[3] * (a.depth - b.depth)) >> 8;
+    int sum = depth * depth;
+    for (int k = 0; k < 3; k++)
+    {
+        const int color = (weights[k] * (a.color[k] - b.color[k])) >> 8;
+        sum += color * color;
+    }
+    return sum;
 }
 
 void SimilarMerger::push(int boundary, int cost)

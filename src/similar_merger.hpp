@@ -30,7 +30,7 @@ private:
     enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
 
     int cost(const RegionGraph::Boundary& boundary) const;
-    int64 squaredDistance(const RegionMean& a, const RegionMean& b) const;
+    int squaredDistance(const RegionMean& a, const RegionMean& b) const;
     void push(int boundary, int cost);
     void pushIfLower(int boundary);
     int pop();

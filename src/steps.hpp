@@ -25,6 +25,15 @@ CV_EXPORTS void computeGradient(const Mat& color, const Mat& depth, int alpha, M
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels. (markers.cpp)
 CV_EXPORTS void placeMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
+//! Some rows of an image, and the markers in them.
+struct MarkerBand
+{
+    Range rows, markers;
+};
+
+//! Whole rows of cells of that grid, as few as are not lower than a height. (markers.cpp)
+void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+
 //! Buffers for placing markers in regions.
 struct MarkerBuffers
 {

@@ -325,7 +325,7 @@ private:
 
     void buildHierarchy(const Mat& labels)
     {
-        const gws::RegionDistance distance = gws::floodDistance(used_.alpha);
+        const gws::RegionDistance distance = gws::floodDistance(used_.alpha, true);
         if (used_.algorithm == GWATERSHED)
         {
             gws::Padded<gws::Feature> features;
