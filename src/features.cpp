@@ -57,32 +57,27 @@ static inline void makeRow(const uchar* color, int channels, bool opponents, con
     v_store_interleave(to->color, c0, c1, c2, depth ? v_load(depth) : v_setzero_u8());
 }
 
-void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features)
+static void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, const Range& rows, Padded<Feature>& features)
 {
-    CV_TRACE_FUNCTION();
-    features.create(color.size(), Feature());
     const int channels = color.channels(), cols = color.cols;
     const bool opponents = channels > 1 && !uniform_color;
-    parallel_for_(Range(0, color.rows), [&](const Range& range)
+    for (int y = rows.start; y < rows.end; y++)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const uchar *from = color.ptr(y), *depths = depth.empty() ? 0 : depth.ptr(y);
-            Feature* to = features.row(y);
-            int x = 0;
-            for (; x <= cols - STRIDE; x += STRIDE)
-                makeRow(from + x * channels, channels, opponents, depths ? depths + x : 0, to + x);
-            if (x == cols)
-                continue;
-            uchar last_color[4 * STRIDE] = {}, last_depth[STRIDE] = {};
-            Feature last[STRIDE];
-            memcpy(last_color, from + x * channels, (cols - x) * channels);
-            if (depths)
-                memcpy(last_depth, depths + x, cols - x);
-            makeRow(last_color, channels, opponents, last_depth, last);
-            memcpy(to + x, last, (cols - x) * sizeof(Feature));
-        }
-    });
+        const uchar *from = color.ptr(y), *depths = depth.empty() ? 0 : depth.ptr(y);
+        Feature* to = features.row(y);
+        int x = 0;
+        for (; x <= cols - STRIDE; x += STRIDE)
+            makeRow(from + x * channels, channels, opponents, depths ? depths + x : 0, to + x);
+        if (x == cols)
+            continue;
+        uchar last_color[4 * STRIDE] = {}, last_depth[STRIDE] = {};
+        Feature last[STRIDE];
+        memcpy(last_color, from + x * channels, (cols - x) * channels);
+        if (depths)
+            memcpy(last_depth, depths + x, cols - x);
+        makeRow(last_color, channels, opponents, last_depth, last);
+        memcpy(to + x, last, (cols - x) * sizeof(Feature));
+    }
 }
 
 //! Mean of the depths that are valid.
@@ -110,33 +105,51 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
         to[i / 2].depth = meanDepth(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
 }
 
-void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feature>& halved)
+static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& halved)
+{
+    const Size size = features.size();
+    const int width = halved.size().width;
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const Feature* upper = features.row(2 * y);
+        const Feature* lower = features.row(std::min(2 * y + 1, size.height - 1));
+        Feature* to = halved.row(y);
+        int x = 0;
+        for (; x <= size.width / 2 - 4; x += 4)
+            halveRow(upper + 2 * x, lower + 2 * x, with_depth, to + x);
+        if (x == width)
+            continue;
+        Feature last_upper[8], last_lower[8], last[4];
+        for (int i = 0; i < 8; i++)
+        {
+            const int from = std::min(2 * x + i, size.width - 1);
+            last_upper[i] = upper[from];
+            last_lower[i] = lower[from];
+        }
+        halveRow(last_upper, last_lower, with_depth, last);
+        std::copy(last, last + width - x, to + x);
+    }
+}
+
+void makePyramid(const Mat& color, const Mat& depth, bool uniform_color, int top, Padded<Feature>* levels)
 {
     CV_TRACE_FUNCTION();
-    const Size size = features.size(), half((size.width + 1) / 2, (size.height + 1) / 2);
-    halved.create(half, Feature());
-    parallel_for_(Range(0, half.height), [&](const Range& range)
+    const int BAND_HEIGHT = 64; // while its rows are in the cache
+    Size size = color.size();
+    for (int level = 0; level <= top; level++, size = Size((size.width + 1) / 2, (size.height + 1) / 2))
+        levels[level].create(size, Feature());
+    parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const Feature* upper = features.row(2 * y);
-            const Feature* lower = features.row(std::min(2 * y + 1, size.height - 1));
-            Feature* to = halved.row(y);
-            int x = 0;
-            for (; x <= size.width / 2 - 4; x += 4)
-                halveRow(upper + 2 * x, lower + 2 * x, with_depth, to + x);
-            if (x == half.width)
-                continue;
-            Feature last_upper[8], last_lower[8], last[4];
-            for (int i = 0; i < 8; i++)
+        for (int i = range.start; i < range.end; i++)
+            for (int level = 0; level <= top; level++)
             {
-                const int from = std::min(2 * x + i, size.width - 1);
-                last_upper[i] = upper[from];
-                last_lower[i] = lower[from];
+                const Range rows((i * BAND_HEIGHT) >> level,
+                                 std::min(((i + 1) * BAND_HEIGHT) >> level, levels[level].size().height));
+                if (level == 0)
+                    makeFeatures(color, depth, uniform_color, rows, levels[0]);
+                else
+                    halveFeatures(levels[level - 1], !depth.empty(), rows, levels[level]);
             }
-            halveRow(last_upper, last_lower, with_depth, last);
-            std::copy(last, last + half.width - x, to + x);
-        }
     });
 }
 

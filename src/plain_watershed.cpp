@@ -61,7 +61,7 @@ void PlainWatershed::makeFeatures(bool uniform_color, Padded<Feature>& features)
         }
     if (channels_ == 1)
         extractChannel(color, color, 0);
-    gws::makeFeatures(color, depth, uniform_color, features);
+    makePyramid(color, depth, uniform_color, 0, &features);
 }
 
 void PlainWatershed::drawLines(Mat& mask) const

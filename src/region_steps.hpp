@@ -14,12 +14,10 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! @file The steps of RGWATERSHED, in their order.
 
-//! Opponent colours, or colours as they are, and depth. (features.cpp)
+//! Opponent colours, or colours as they are, and depth, on the levels 0 (of pixels) to top. A level has the means of
+//! blocks of 2x2 of the one before; an odd last row or column is repeated. (features.cpp)
 //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, Padded<Feature>& features);
-
-//! Means of blocks of 2x2 pixels; an odd last row or column is repeated. (features.cpp)
-void halveFeatures(const Padded<Feature>& features, bool with_depth, Padded<Feature>& halved);
+void makePyramid(const Mat& color, const Mat& depth, bool uniform_color, int top, Padded<Feature>* levels);
 
 //! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1. (features.cpp)
 void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);

@@ -152,9 +152,7 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
         top = masked ? chooseLevel(masks_, frame.num_superpixels, fewest_blocks, MAX_LEVEL)
                      : chooseLevel(frame.color.size(), fewest_blocks, MAX_LEVEL);
 
-    makeFeatures(frame.color, frame.depth, parameters.uniform_color, features_[0]);
-    for (int level = 1; level <= top; level++)
-        halveFeatures(features_[level - 1], !frame.depth.empty(), features_[level]);
+    makePyramid(frame.color, frame.depth, parameters.uniform_color, top, features_);
     if (!frame.markers.empty())
         floodFromMarkers(frame, distance);
     else if (!frame.follows || top != top_ || !follow(frame, top, price, parameters))
