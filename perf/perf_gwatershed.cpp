@@ -55,13 +55,14 @@ struct Steps
         gws::makeNodes(pictures.image(), Mat(), nodes);
         gws::labelMarkers(markers, nodes);
     }
-    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, nodes); }
+    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, nodes, flood); }
     void linesStep() { gws::absorbLines(COLOR_ALONE, nodes, lines); }
     void labelsStep() { gws::extractLabels(nodes, labels); }
 
     Pictures pictures;
     Mat gray, gradient, labels;
     std::vector<Point> markers;
+    gws::PlainFloodBuffers flood;
     gws::LineBuffers lines;
     gws::NodeMap nodes;
 };

@@ -78,17 +78,22 @@ template <typename List> static void listBands(int height, SweepBuffers& buffers
     });
 }
 
-//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
-static void findMasks(const int* row, int step, int n, std::vector<int>& masks)
+template <typename T> static T* roomFor(size_t n, std::vector<T>& buffer)
 {
-    masks.resize(n);
+    buffer.resize(std::max(buffer.size(), n));
+    return buffer.data();
+}
+
+//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
+static void findMasks(const int* row, int step, int n, int* masks)
+{
     for (int x = 0; x < n; x++)
         masks[x] = neighborMask(row + x, step, row[x]);
 }
 
-static void append(const std::vector<BoundaryPixel>& found, int count, std::vector<BoundaryPixel>& boundary)
+static void append(const BoundaryPixel* found, int count, std::vector<BoundaryPixel>& boundary)
 {
-    boundary.insert(boundary.end(), found.begin(), found.begin() + count);
+    boundary.insert(boundary.end(), found, found + count);
 }
 
 // The lists are made without branches on what no one could foresee: what is not listed is written over by the next.
@@ -101,20 +106,21 @@ void listBoundary(const Padded<int>& labels, SweepBuffers& buffers)
     const int width = labels.size().width;
     listBands(labels.size().height, buffers, [&](const Range& rows, Band& band)
     {
-        band.found.resize(width);
+        int* masks = roomFor(width, band.masks);
+        BoundaryPixel* found = roomFor(width, band.found);
         for (int y = rows.start; y < rows.end; y++)
         {
             const int* row = labels.row(y);
             const int first = labels.index(Point(0, y));
-            findMasks(row, labels.step(), width, band.masks);
+            findMasks(row, labels.step(), width, masks);
             int count = 0;
             for (int x = 0; x < width; x++)
             {
-                const BoundaryPixel pixel = { first + x, band.masks[x] };
-                band.found[count] = pixel;
+                const BoundaryPixel pixel = { first + x, masks[x] };
+                found[count] = pixel;
                 count += table.canLeave(pixel.mask) & (row[x] >= 0);
             }
-            append(band.found, count, band.boundary);
+            append(found, count, band.boundary);
         }
     });
 }
@@ -128,31 +134,31 @@ void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, 
     const int width = blocks.size().width, offsets[4] = { 0, 1, labels.step(), labels.step() + 1 };
     listBands(size.height, buffers, [&](const Range& rows, Band& band)
     {
-        band.found.resize(4 * size_t(width));
-        band.columns.resize(width);
+        int *masks = roomFor(width, band.masks), *columns = roomFor(width, band.columns);
+        BoundaryPixel* found = roomFor(4 * width, band.found);
         for (int y = rows.start; y < rows.end; y += 2)
         {
-            findMasks(blocks.row(y / 2), blocks.step(), width, band.masks);
+            findMasks(blocks.row(y / 2), blocks.step(), width, masks);
             int num_columns = 0, count = 0;
             for (int x = 0; x < width; x++)
             {
-                band.columns[num_columns] = x;
-                num_columns += band.masks[x] != INTERIOR;
+                columns[num_columns] = x;
+                num_columns += masks[x] != INTERIOR;
             }
             for (int i = 0; i < num_columns; i++)
             {
-                const Point corner(2 * band.columns[i], y);
+                const Point corner(2 * columns[i], y);
                 const bool has_right = corner.x + 1 < size.width, has_lower = y + 1 < size.height;
                 const bool inside[4] = { true, has_right, has_lower, has_right && has_lower };
                 for (int k = 0; k < 4; k++)
                 {
                     const BoundaryPixel pixel = { labels.index(corner) + offsets[k],
-                                                  table.maskInBlock(band.masks[band.columns[i]], k) };
-                    band.found[count] = pixel;
+                                                  table.maskInBlock(masks[columns[i]], k) };
+                    found[count] = pixel;
                     count += table.canLeave(pixel.mask) & inside[k];
                 }
             }
-            append(band.found, count, band.boundary);
+            append(found, count, band.boundary);
         }
     });
 }
@@ -167,20 +173,21 @@ static void markAround(const std::vector<Move>& moves, int first, int last, int 
 }
 
 //! Lists the columns of a row that are marked.
-static int listMarked(const uchar* marks, int width, std::vector<int>& columns)
+static int listMarked(const uchar* marks, int width, int* columns)
 {
-    const int AT_ONCE = 8;
     int count = 0;
-    for (int x = 0; x < width; x += AT_ONCE)
+    for (int x = 0; x < width; x++)
     {
-        const int last = std::min(x + AT_ONCE, width);
-        uint64 any = 0;
-        memcpy(&any, marks + x, last - x);
-        for (int k = any ? x : last; k < last; k++)
+        uint64 next_marks = 1; // of 8 columns: most rows have few marks
+        if (x % sizeof(next_marks) == 0 && x + int(sizeof(next_marks)) <= width)
+            memcpy(&next_marks, marks + x, sizeof(next_marks));
+        if (!next_marks)
         {
-            columns[count] = k;
-            count += marks[k];
+            x += int(sizeof(next_marks)) - 1;
+            continue;
         }
+        columns[count] = x;
+        count += marks[x];
     }
     return count;
 }
@@ -200,20 +207,20 @@ void listBoundaryAroundMoves(const Padded<int>& labels, SweepBuffers& buffers)
         for (const Band* near = before; near <= after; near++)
             markAround(near->moves, first, last, step, buffers.marks);
 
-        band.found.resize(width);
-        band.columns.resize(width);
+        int* columns = roomFor(width, band.columns);
+        BoundaryPixel* found = roomFor(width, band.found);
         for (int y = rows.start; y < rows.end; y++)
         {
-            const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, band.columns);
+            const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, columns);
             int count = 0;
             for (int i = 0; i < num_columns; i++)
             {
-                const int index = left + band.columns[i], label = labels.data()[index];
+                const int index = left + columns[i], label = labels.data()[index];
                 const BoundaryPixel pixel = { index, neighborMask(labels.data() + index, step, label) };
-                band.found[count] = pixel;
+                found[count] = pixel;
                 count += table.canLeave(pixel.mask) & (label != OUTSIDE);
             }
-            append(band.found, count, band.boundary);
+            append(found, count, band.boundary);
         }
     });
 }

@@ -6,87 +6,55 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The 256 queues of Algorithm 1, first in first out each. A queue is a chain through the states
-//! of its nodes, so that pushing allocates nothing.
-class BucketQueue
+bool HeightQueues::take(std::vector<int>& batch)
 {
-public:
-    explicit BucketQueue(Node* nodes) : nodes_(nodes), height_(0), used_() {}
+    if (!(used_[0] | used_[1] | used_[2] | used_[3]))
+        return false;
+    while (!((used_[height_ >> 6] >> (height_ & 63)) & 1))
+        height_ = (height_ + 1) & 255;
+    batch.clear();
+    batch.swap(queues_[height_]);
+    used_[height_ >> 6] &= ~(uint64(1) << (height_ & 63));
+    return true;
+}
 
-    void push(int node, int height)
-    {
-        uint64& word = used_[height >> 6];
-        const uint64 bit = uint64(1) << (height & 63);
-        if (word & bit)
-            nodes_[last_[height]].state = IN_QUEUE - node;
-        else
-            first_[height] = node;
-        word |= bit;
-        last_[height] = node;
-        nodes_[node].state = IN_QUEUE;
-    }
-
-    //! Takes a node from the queue at the current height; if that is empty, from the next one that
-    //! is not, beginning again at 0 after 255. Returns 0, a node of the frame, if all are empty.
-    int pop()
-    {
-        if (!isUsed(height_) && !advance())
-            return 0;
-        const int node = first_[height_];
-        const int next = IN_QUEUE - nodes_[node].state;
-        if (next)
-            first_[height_] = next;
-        else
-            used_[height_ >> 6] &= ~(uint64(1) << (height_ & 63));
-        return node;
-    }
-
-private:
-    bool isUsed(int height) const { return (used_[height >> 6] >> (height & 63)) & 1; }
-
-    bool advance()
-    {
-        if (!(used_[0] | used_[1] | used_[2] | used_[3]))
-            return false;
-        do
-            height_ = (height_ + 1) & 255;
-        while (!isUsed(height_));
-        return true;
-    }
-
-    Node* nodes_;
-    int height_;
-    uint64 used_[4]; // a bit for each height whose queue is not empty
-    int first_[256], last_[256];
-};
+void HeightQueues::clear()
+{
+    height_ = 0;
+    std::fill_n(used_, 4, uint64(0));
+    for (int i = 0; i < 256; i++)
+        queues_[i].clear();
+}
 
 //! Lines 4 to 14: the pixels beside a marker are queued at the height of equation (4).
 static void fillQueues(NodeMap& map, const Mat& gradient, float border_threshold, int alpha,
-                       BucketQueue& queue)
+                       HeightQueues& queues)
 {
     Node* nodes = map.data();
     const Vec4i neighbors = map.neighbors();
+    const int threshold = border_threshold > 0 ? cvCeil(std::min(border_threshold, 65535.f)) : 65535;
     for (int y = 0; y < gradient.rows; y++)
     {
         const ushort* gradient_row = gradient.ptr<ushort>(y);
         for (int x = 0, p = map.index(Point(0, y)); x < gradient.cols; x++, p++)
         {
-            if (nodes[p].state != UNLABELLED)
+            Node& node = nodes[p];
+            const bool is_line = (node.state == UNLABELLED) & (gradient_row[x] >= threshold) &
+                                 (gradient_row[x] != UNKNOWN_GRADIENT);
+            node.state = is_line ? int(LINE) : node.state;
+            const int label = std::max(std::max(nodes[p + neighbors[0]].state, nodes[p + neighbors[1]].state),
+                                       std::max(nodes[p + neighbors[2]].state, nodes[p + neighbors[3]].state));
+            if (label <= 0 || node.state != UNLABELLED)
                 continue;
-            if (border_threshold > 0 && gradient_row[x] >= border_threshold && gradient_row[x] != UNKNOWN_GRADIENT)
-            {
-                nodes[p].state = LINE;
-                continue;
-            }
             int height = INT_MAX;
             for (int k = 0; k < 4; k++)
             {
                 const Node& neighbor = nodes[p + neighbors[k]];
                 if (neighbor.state > 0)
-                    height = std::min(height, distance(nodes[p].pixel, neighbor.pixel, alpha));
+                    height = std::min(height, distance(node.pixel, neighbor.pixel, alpha));
             }
-            if (height != INT_MAX)
-                queue.push(p, height);
+            node.state = IN_QUEUE;
+            queues.push(p, height);
         }
     }
 }
@@ -97,38 +65,59 @@ static inline int commonLabel(const Node* node, const Vec4i& neighbors)
     const int left = node[neighbors[0]].state, top = node[neighbors[1]].state;
     const int right = node[neighbors[2]].state, bottom = node[neighbors[3]].state;
     const int label = std::max(std::max(left, top), std::max(right, bottom));
-    const bool differ = (left > 0 && left != label) || (top > 0 && top != label) ||
-                        (right > 0 && right != label) || (bottom > 0 && bottom != label);
+    const bool differ = ((left > 0) & (left != label)) | ((top > 0) & (top != label)) |
+                        ((right > 0) & (right != label)) | ((bottom > 0) & (bottom != label));
     return differ ? int(LINE) : label;
+}
+
+//! Reads the rows that some nodes of a batch will need. They lie anywhere in the image: so they are
+//! fetched at the same time, instead of one after the other.
+static void touch(const Node* nodes, int step, const std::vector<int>& batch, size_t begin, size_t end)
+{
+    for (size_t i = begin; i < std::min(end, batch.size()); i++)
+        for (int row = -step; row <= step; row += step)
+            static_cast<void>(static_cast<const volatile Node*>(nodes)[batch[i] + row].state);
 }
 
 //! Lines 15 to 36. Invariant: a node enters a queue once, from the first labelled neighbour that
 //! is taken out; it gets its label, or becomes a line, when it is taken out itself. A node queued
-//! below the current height waits until the heights begin again at 0. So the order of the queues
-//! alone decides, and neither lines nor the frame pass the flood on.
-static void flood(Node* nodes, const Vec4i& neighbors, int alpha, BucketQueue& queue)
+//! below the current height waits until the heights begin again at 0, and one queued at that height
+//! goes behind those that are there. So the order of the queues alone decides, and neither lines nor
+//! the frame pass the flood on.
+static void flood(Node* nodes, const Vec4i& neighbors, int alpha, HeightQueues& queues, std::vector<int>& batch)
 {
-    while (const int p = queue.pop())
+    const size_t AHEAD = 8;
+    const int step = neighbors[3];
+    while (queues.take(batch))
     {
-        Node& node = nodes[p];
-        node.state = commonLabel(&node, neighbors);
-        if (node.state == LINE)
-            continue;
-        for (int k = 0; k < 4; k++)
+        touch(nodes, step, batch, 0, AHEAD);
+        for (size_t i = 0; i < batch.size(); i++)
         {
-            const int a = p + neighbors[k];
-            if (nodes[a].state == UNLABELLED)
-                queue.push(a, distance(node.pixel, nodes[a].pixel, alpha));
+            if (i % AHEAD == 0)
+                touch(nodes, step, batch, i + AHEAD, i + 2 * AHEAD);
+            const int p = batch[i];
+            Node& node = nodes[p];
+            node.state = commonLabel(&node, neighbors);
+            if (node.state == LINE)
+                continue;
+            for (int k = 0; k < 4; k++)
+            {
+                const int a = p + neighbors[k];
+                if (nodes[a].state != UNLABELLED)
+                    continue;
+                nodes[a].state = IN_QUEUE;
+                queues.push(a, distance(node.pixel, nodes[a].pixel, alpha));
+            }
         }
     }
 }
 
-void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes)
+void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes, PlainFloodBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
-    BucketQueue queue(nodes.data());
-    fillQueues(nodes, gradient, border_threshold, alpha, queue);
-    flood(nodes.data(), nodes.neighbors(), alpha, queue);
+    buffers.queues.clear();
+    fillQueues(nodes, gradient, border_threshold, alpha, buffers.queues);
+    flood(nodes.data(), nodes.neighbors(), alpha, buffers.queues, buffers.batch);
 }
 
 }}} // namespace

@@ -9,15 +9,27 @@ namespace cv { namespace ximgproc { namespace gws {
 VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions)
     : color_(color), sums_(num_regions, Vec3d::all(0)), means_(num_regions), areas_(num_regions, 0)
 {
+    const int cn = color.channels(), green = cn == 1 ? 0 : 1, red = cn == 1 ? 0 : 2;
     for (int y = 0; y < color.rows; y++)
-        for (int x = 0; x < color.cols; x++)
+    {
+        const int* row = labels.row(y);
+        const uchar* pixel = color.ptr(y);
+        for (int x = 0; x < color.cols;)
         {
-            const int label = labels.row(y)[x];
+            const int label = row[x];
+            int sum[3] = { 0, 0, 0 }, begin = x; // of a run of pixels
+            for (; x < color.cols && row[x] == label; x++, pixel += cn)
+            {
+                sum[0] += pixel[0];
+                sum[1] += pixel[green];
+                sum[2] += pixel[red];
+            }
             if (label == OUTSIDE)
                 continue;
-            sums_[label] += colorAt(Point(x, y));
-            areas_[label]++;
+            sums_[label] += Vec3d(sum[0], sum[1], sum[2]);
+            areas_[label] += x - begin;
         }
+    }
     update();
 }
 
@@ -25,7 +37,7 @@ Vec3d VariationGuard::colorAt(Point p) const
 {
     const int cn = color_.channels();
     const uchar* pixel = color_.ptr(p.y) + p.x * cn;
-    return cn == 1 ? Vec3d(pixel[0], 0, 0) : Vec3d(pixel[0], pixel[1], pixel[2]);
+    return cn == 1 ? Vec3d::all(pixel[0]) : Vec3d(pixel[0], pixel[1], pixel[2]);
 }
 
 //! While every move of a sweep goes to a mean that is not farther, by the means at its start, the

@@ -14,14 +14,10 @@ static int nearestLabel(const Node* node, const Vec4i& neighbors, int alpha)
     for (int k = 0; k < 4; k++)
     {
         const Node& neighbor = node[neighbors[k]];
-        if (neighbor.state <= 0)
-            continue;
         const int height = distance(node->pixel, neighbor.pixel, alpha);
-        if (height < smallest)
-        {
-            smallest = height;
-            label = neighbor.state;
-        }
+        const bool nearer = (neighbor.state > 0) & (height < smallest);
+        smallest = nearer ? height : smallest;
+        label = nearer ? neighbor.state : label;
     }
     return label;
 }
@@ -29,15 +25,20 @@ static int nearestLabel(const Node* node, const Vec4i& neighbors, int alpha)
 //! All nodes without a label, in raster order.
 static void collectLines(NodeMap& map, std::vector<int>& lines)
 {
-    lines.clear();
     const Size size = map.size();
+    size_t count = 0;
     for (int y = 0; y < size.height; y++)
     {
         const Node* row = map.row(y);
-        for (int x = 0; x < size.width; x++)
-            if (row[x].state <= 0 && row[x].state != FRAME)
-                lines.push_back(map.index(Point(x, y)));
+        const int first = map.index(Point(0, y));
+        lines.resize(std::max(lines.size(), count + size.width));
+        for (int x = 0; x < size.width; x++) // without a branch that no one could foresee: the next one goes over it
+        {
+            lines[count] = first + x;
+            count += (row[x].state <= 0) & (row[x].state != FRAME);
+        }
     }
+    lines.resize(count);
 }
 
 //! @note The paper ends with the lines. Here each round gives a label to all nodes that have a
@@ -57,8 +58,11 @@ void absorbLines(int alpha, NodeMap& map, LineBuffers& buffers)
     for (round = lines; !round.empty(); round.swap(later))
     {
         chosen.resize(round.size());
-        for (size_t i = 0; i < round.size(); i++)
-            chosen[i] = nearestLabel(nodes + round[i], neighbors, alpha);
+        parallel_for_(Range(0, int(round.size())), [&](const Range& range)
+        {
+            for (int i = range.start; i < range.end; i++)
+                chosen[i] = nearestLabel(nodes + round[i], neighbors, alpha);
+        });
         for (size_t i = 0; i < round.size(); i++)
             if (chosen[i] != UNLABELLED)
                 nodes[round[i]].state = chosen[i];

@@ -30,7 +30,7 @@ enum NodeState
 {
     UNLABELLED = 0,
     LINE = -1,      //!< S_border: a watershed line
-    IN_QUEUE = -2,  //!< S_inq: queued last at its height; IN_QUEUE - i: queued before node i
+    IN_QUEUE = -2,  //!< S_inq
     FRAME = INT_MIN //!< outside the image
 };
 

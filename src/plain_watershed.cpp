@@ -42,7 +42,7 @@ int PlainWatershed::run(const Frame& frame, const Parameters& parameters, Mat& l
         labelMarkers(markers_, nodes_);
         num_superpixels = int(markers_.size());
     }
-    floodFromMarkers(gradient_, parameters.border_threshold, alpha, nodes_);
+    floodFromMarkers(gradient_, parameters.border_threshold, alpha, nodes_, flood_buffers_);
     absorbLines(alpha, nodes_, line_buffers_);
     extractLabels(nodes_, labels);
     return num_superpixels;

@@ -36,6 +36,7 @@ private:
     Mat last_labels_;
     int channels_ = 0; // of the last image
     NodeMap nodes_;
+    PlainFloodBuffers flood_buffers_;
     LineBuffers line_buffers_;
 };
 

@@ -60,9 +60,39 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, NodeMap& nodes);
 void labelMarkers(const Mat& markers, NodeMap& nodes);
 
+//! The 256 queues of Algorithm 1, first in first out each. (flood.cpp)
+class CV_EXPORTS HeightQueues
+{
+public:
+    void clear();
+
+    void push(int node, int height)
+    {
+        queues_[height].push_back(node);
+        used_[height >> 6] |= uint64(1) << (height & 63);
+    }
+
+    //! Takes all nodes from the queue at the current height; if that is empty, from the next one that
+    //! is not, beginning again at 0 after 255. Returns false if all are empty.
+    bool take(std::vector<int>& batch);
+
+private:
+    int height_ = 0;
+    uint64 used_[4] = {}; // a bit for each height whose queue is not empty
+    std::vector<int> queues_[256];
+};
+
+//! Buffers of the flood.
+struct PlainFloodBuffers
+{
+    HeightQueues queues;
+    std::vector<int> batch;
+};
+
 //! Algorithm 1: floods from the nodes that have a label. Leaves LINE and UNLABELLED nodes. (flood.cpp)
 //! A node whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
-CV_EXPORTS void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes);
+CV_EXPORTS void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes,
+                                 PlainFloodBuffers& buffers);
 
 //! Indices of nodes.
 struct LineBuffers
