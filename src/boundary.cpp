@@ -57,25 +57,10 @@ const MaskTable& maskTable()
 
 bool SweepBuffers::moved() const
 {
-    for (size_t i = 0; i < bands.size(); i++)
-        if (!bands[i].moves.empty())
+    for (size_t i = 0; i < moves.size(); i++)
+        if (!moves[i].empty())
             return true;
     return false;
-}
-
-//! Calls list(rows, band) for each band.
-template <typename List> static void listBands(int height, SweepBuffers& buffers, const List& list)
-{
-    const int BAND_HEIGHT = SweepBuffers::BAND_HEIGHT;
-    buffers.bands.resize((height + BAND_HEIGHT - 1) / BAND_HEIGHT);
-    parallel_for_(Range(0, int(buffers.bands.size())), [&](const Range& range)
-    {
-        for (int i = range.start; i < range.end; i++)
-        {
-            buffers.bands[i].boundary.clear();
-            list(Range(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height)), buffers.bands[i]);
-        }
-    });
 }
 
 template <typename T> static T* roomFor(size_t n, std::vector<T>& buffer)
@@ -91,76 +76,68 @@ static void findMasks(const int* row, int step, int n, int* masks)
         masks[x] = neighborMask(row + x, step, row[x]);
 }
 
-static void append(const BoundaryPixel* found, int count, std::vector<BoundaryPixel>& boundary)
+static void append(const BoundaryPixel* found, int count, BoundaryList& list)
 {
-    boundary.insert(boundary.end(), found, found + count);
+    list.pixels.insert(list.pixels.end(), found, found + count);
 }
 
 // The lists are made without branches on what no one could foresee: what is not listed is written over by the next.
 
 //! @note The pixels at the border of the image are listed, too: the frame has another label.
-void listBoundary(const Padded<int>& labels, SweepBuffers& buffers)
+void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list)
 {
-    CV_TRACE_FUNCTION();
     const MaskTable& table = maskTable();
     const int width = labels.size().width;
-    listBands(labels.size().height, buffers, [&](const Range& rows, Band& band)
+    int* masks = roomFor(width, list.masks);
+    BoundaryPixel* found = roomFor(width, list.found);
+    for (int y = rows.start; y < rows.end; y++)
     {
-        int* masks = roomFor(width, band.masks);
-        BoundaryPixel* found = roomFor(width, band.found);
-        for (int y = rows.start; y < rows.end; y++)
+        const int* row = labels.row(y);
+        const int first = labels.index(Point(0, y));
+        findMasks(row, labels.step(), width, masks);
+        int count = 0;
+        for (int x = 0; x < width; x++)
         {
-            const int* row = labels.row(y);
-            const int first = labels.index(Point(0, y));
-            findMasks(row, labels.step(), width, masks);
-            int count = 0;
-            for (int x = 0; x < width; x++)
-            {
-                const BoundaryPixel pixel = { first + x, masks[x] };
-                found[count] = pixel;
-                count += table.canLeave(pixel.mask) & (row[x] >= 0);
-            }
-            append(found, count, band.boundary);
+            const BoundaryPixel pixel = { first + x, masks[x] };
+            found[count] = pixel;
+            count += table.canLeave(pixel.mask) & (row[x] >= 0);
         }
-    });
+        append(found, count, list);
+    }
 }
 
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, SweepBuffers& buffers)
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list)
 {
-    CV_TRACE_FUNCTION();
     const int INTERIOR = 255;
     const MaskTable& table = maskTable();
     const Size size = labels.size();
     const int width = blocks.size().width, offsets[4] = { 0, 1, labels.step(), labels.step() + 1 };
-    listBands(size.height, buffers, [&](const Range& rows, Band& band)
+    int *masks = roomFor(width, list.masks), *columns = roomFor(width, list.columns);
+    BoundaryPixel* found = roomFor(4 * size_t(width), list.found);
+    for (int y = rows.start; y < rows.end; y += 2)
     {
-        int *masks = roomFor(width, band.masks), *columns = roomFor(width, band.columns);
-        BoundaryPixel* found = roomFor(4 * width, band.found);
-        for (int y = rows.start; y < rows.end; y += 2)
+        findMasks(blocks.row(y / 2), blocks.step(), width, masks);
+        int num_columns = 0, count = 0;
+        for (int x = 0; x < width; x++)
         {
-            findMasks(blocks.row(y / 2), blocks.step(), width, masks);
-            int num_columns = 0, count = 0;
-            for (int x = 0; x < width; x++)
-            {
-                columns[num_columns] = x;
-                num_columns += masks[x] != INTERIOR;
-            }
-            for (int i = 0; i < num_columns; i++)
-            {
-                const Point corner(2 * columns[i], y);
-                const bool has_right = corner.x + 1 < size.width, has_lower = y + 1 < size.height;
-                const bool inside[4] = { true, has_right, has_lower, has_right && has_lower };
-                for (int k = 0; k < 4; k++)
-                {
-                    const BoundaryPixel pixel = { labels.index(corner) + offsets[k],
-                                                  table.maskInBlock(masks[columns[i]], k) };
-                    found[count] = pixel;
-                    count += table.canLeave(pixel.mask) & inside[k];
-                }
-            }
-            append(found, count, band.boundary);
+            columns[num_columns] = x;
+            num_columns += masks[x] != INTERIOR;
         }
-    });
+        for (int i = 0; i < num_columns; i++)
+        {
+            const Point corner(2 * columns[i], y);
+            const bool has_right = corner.x + 1 < size.width, has_lower = y + 1 < size.height;
+            const bool inside[4] = { true, has_right, has_lower, has_right && has_lower };
+            for (int k = 0; k < 4; k++)
+            {
+                const BoundaryPixel pixel = { labels.index(corner) + offsets[k],
+                                              table.maskInBlock(masks[columns[i]], k) };
+                found[count] = pixel;
+                count += table.canLeave(pixel.mask) & inside[k];
+            }
+        }
+        append(found, count, list);
+    }
 }
 
 //! Marks what touches some of the moves and lies in [first, last).
@@ -192,49 +169,39 @@ static int listMarked(const uchar* marks, int width, int* columns)
     return count;
 }
 
-void listBoundaryAroundMoves(const Padded<int>& labels, SweepBuffers& buffers)
+void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, SweepBuffers& buffers, BoundaryList& list)
 {
-    CV_TRACE_FUNCTION();
     const MaskTable& table = maskTable();
     const int width = labels.size().width, step = labels.step();
-    buffers.marks.resize(size_t(step) * (labels.size().height + 2));
-    listBands(labels.size().height, buffers, [&](const Range& rows, Band& band)
-    {
-        const int first = labels.index(Point(-1, rows.start)), last = labels.index(Point(-1, rows.end));
-        std::fill(buffers.marks.begin() + first, buffers.marks.begin() + last, uchar(0));
-        const Band* const before = &band - (&band != &buffers.bands.front());
-        const Band* const after = &band + (&band != &buffers.bands.back());
-        for (const Band* near = before; near <= after; near++)
-            markAround(near->moves, first, last, step, buffers.marks);
+    const int first = labels.index(Point(-1, rows.start)), last = labels.index(Point(-1, rows.end));
+    std::fill(buffers.marks.begin() + first, buffers.marks.begin() + last, uchar(0));
+    const int band = rows.start / SweepBuffers::BAND_HEIGHT, num_bands = int(buffers.last_moves.size());
+    for (int i = std::max(band - 1, 0); i <= std::min(band + 1, num_bands - 1); i++)
+        markAround(buffers.last_moves[i], first, last, step, buffers.marks);
 
-        int* columns = roomFor(width, band.columns);
-        BoundaryPixel* found = roomFor(width, band.found);
-        for (int y = rows.start; y < rows.end; y++)
+    int* columns = roomFor(width, list.columns);
+    BoundaryPixel* found = roomFor(width, list.found);
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, columns);
+        int count = 0;
+        for (int i = 0; i < num_columns; i++)
         {
-            const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, columns);
-            int count = 0;
-            for (int i = 0; i < num_columns; i++)
-            {
-                const int index = left + columns[i], label = labels.data()[index];
-                const BoundaryPixel pixel = { index, neighborMask(labels.data() + index, step, label) };
-                found[count] = pixel;
-                count += table.canLeave(pixel.mask) & (label != OUTSIDE);
-            }
-            append(found, count, band.boundary);
+            const int index = left + columns[i], label = labels.data()[index];
+            const BoundaryPixel pixel = { index, neighborMask(labels.data() + index, step, label) };
+            found[count] = pixel;
+            count += table.canLeave(pixel.mask) & (label != OUTSIDE);
         }
-    });
+        append(found, count, list);
+    }
 }
 
-void keepMarkers(const Mat& markers, const Padded<int>& labels, SweepBuffers& buffers)
+void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list)
 {
-    for (size_t i = 0; i < buffers.bands.size(); i++)
+    list.pixels.erase(std::remove_if(list.pixels.begin(), list.pixels.end(), [&](const BoundaryPixel& pixel)
     {
-        std::vector<BoundaryPixel>& boundary = buffers.bands[i].boundary;
-        boundary.erase(std::remove_if(boundary.begin(), boundary.end(), [&](const BoundaryPixel& pixel)
-        {
-            return markers.at<int>(labels.point(pixel.index)) >= 0;
-        }), boundary.end());
-    }
+        return markers.at<int>(labels.point(pixel.index)) >= 0;
+    }), list.pixels.end());
 }
 
 }}} // namespace

@@ -7,6 +7,10 @@
 
 #include "region.hpp"
 
+#include <opencv2/core/utils/tls.hpp>
+
+#include <functional>
+
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
@@ -62,39 +66,44 @@ struct Move
     int index, from, to;
 };
 
-//! Some rows of an image, which are looked at together.
-struct Band
+//! The boundary in some rows of an image.
+struct BoundaryList
 {
-    std::vector<BoundaryPixel> boundary; //!< that is looked at
-    std::vector<Move> moves;             //!< that came of it
+    std::vector<BoundaryPixel> pixels;
 
-    // Of a row:
+    // Buffers, of a row:
     std::vector<int> masks, columns;
     std::vector<BoundaryPixel> found;
 };
 
-//! Buffers of a sweep. The bands have the same height for any number of threads, so that the result is the same.
+//! The moves of the sweeps, in bands of rows, and buffers. Bands have the same height for any number of threads, so
+//! that the result is the same.
 struct SweepBuffers
 {
     enum { BAND_HEIGHT = 16 };
 
-    std::vector<Band> bands;
-    std::vector<uchar> marks; //!< by pixel
+    std::vector<std::vector<Move> > moves, last_moves; //!< of this sweep and of the one before, by bands
+    std::vector<uchar> marks;                          //!< by pixel
+    Ptr<TLSData<BoundaryList> > lists = makePtr<TLSData<BoundaryList> >(); //!< one for each thread
 
+    //! Whether any pixel moved in the last sweep.
     bool moved() const;
 };
 
-//! Lists the pixels that may leave their regions, in raster order in each band.
-void listBoundary(const Padded<int>& labels, SweepBuffers& buffers);
+//! Adds the pixels of some rows that may leave their regions to a list.
+typedef std::function<void(const Range& rows, BoundaryList& list)> ListBoundary;
 
-//! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels.
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, SweepBuffers& buffers);
+//! All of them, in raster order.
+void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
-//! Lists those of them that touch one of the pixels that moved.
-void listBoundaryAroundMoves(const Padded<int>& labels, SweepBuffers& buffers);
+//! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
-//! Takes the pixels of markers from the lists, so that a sweep does not move them.
-void keepMarkers(const Mat& markers, const Padded<int>& labels, SweepBuffers& buffers);
+//! Those of them that touch one of the pixels that moved in the sweep before; rows are those of a band.
+void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, SweepBuffers& buffers, BoundaryList& list);
+
+//! Takes the pixels of markers from the list, so that a sweep does not move them.
+void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list);
 
 }}} // namespace
 

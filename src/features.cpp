@@ -57,7 +57,8 @@ static inline void makeRow(const uchar* color, int channels, bool opponents, con
     v_store_interleave(to->color, c0, c1, c2, depth ? v_load(depth) : v_setzero_u8());
 }
 
-static void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, const Range& rows, Padded<Feature>& features)
+static void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color, const Range& rows,
+                         Padded<Feature>& features)
 {
     const int channels = color.channels(), cols = color.cols;
     const bool opponents = channels > 1 && !uniform_color;

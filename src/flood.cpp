@@ -112,7 +112,8 @@ static void flood(Node* nodes, const Vec4i& neighbors, int alpha, HeightQueues& 
     }
 }
 
-void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes, PlainFloodBuffers& buffers)
+void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, NodeMap& nodes,
+                      PlainFloodBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     buffers.queues.clear();

@@ -139,39 +139,48 @@ private:
 //! Every second group of bands, beginning with one of them: no two of these touch, so they move at the same time.
 //! @note Groups are high because what the order of the moves decides, such as the side of an edge that a strip of one
 //! pixel in width goes along, changes between them.
-static void moveEverySecond(int first, BoundarySweep& sweep, std::vector<Band>& bands)
+static void moveEverySecond(int first, BoundarySweep& sweep, std::vector<std::vector<Move> >& moves)
 {
-    const int GROUP = 4, count = (int(bands.size()) + GROUP - 1) / GROUP;
+    const int GROUP = 4, count = (int(moves.size()) + GROUP - 1) / GROUP;
     parallel_for_(Range(0, (count - first + 1) / 2), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
         {
-            const int begin = (first + 2 * i) * GROUP, end = std::min(begin + GROUP, int(bands.size()));
+            const int begin = (first + 2 * i) * GROUP, end = std::min(begin + GROUP, int(moves.size()));
             for (int k = begin; k < end; k++)
-                sweep.move(bands[k].moves);
+                sweep.move(moves[k]);
         }
     });
 }
 
 //! Means are those of the beginning of the sweep.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, SweepBuffers& buffers, Padded<int>& labels, Regions& regions)
+                   VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
+                   Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    std::vector<Band>& bands = buffers.bands;
+    const int BAND_HEIGHT = SweepBuffers::BAND_HEIGHT, height = labels.size().height;
+    std::vector<std::vector<Move> >& moves = buffers.moves;
+    moves.swap(buffers.last_moves);
+    moves.resize((height + BAND_HEIGHT - 1) / BAND_HEIGHT);
     BoundarySweep sweep(features, distance, length_price, guard, labels, regions);
-    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    parallel_for_(Range(0, int(moves.size())), [&](const Range& range)
     {
+        BoundaryList& boundary = buffers.lists->getRef();
         for (int i = range.start; i < range.end; i++)
-            sweep.choose(bands[i].boundary, bands[i].moves);
-    });
-    moveEverySecond(0, sweep, bands);
-    moveEverySecond(1, sweep, bands);
-
-    for (size_t i = 0; i < bands.size(); i++)
-        for (size_t k = 0; k < bands[i].moves.size(); k++)
         {
-            const Move& move = bands[i].moves[k];
+            boundary.pixels.clear();
+            list(Range(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height)), boundary);
+            sweep.choose(boundary.pixels, moves[i]);
+        }
+    });
+    moveEverySecond(0, sweep, moves);
+    moveEverySecond(1, sweep, moves);
+
+    for (size_t i = 0; i < moves.size(); i++)
+        for (size_t k = 0; k < moves[i].size(); k++)
+        {
+            const Move& move = moves[i][k];
             const Feature& feature = features.data()[move.index];
             regions.sums[move.from].add(feature, -1);
             regions.sums[move.to].add(feature);

@@ -38,8 +38,7 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
     std::vector<int64> errors;
     regions_.resize(int(errors_.size()));
     measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
-    listBoundary(labels_[level], sweep_buffers_);
-    sweepOnce(level, length_price, distance, frame, 0);
+    sweepAll(level, length_price, distance, frame);
     sweepAgain(SWEEPS_TO_FOLLOW - 1, level, length_price, distance, frame, 0);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
 

@@ -118,12 +118,13 @@ private:
     std::vector<int> areas_;
 };
 
-//! One pass over the listed boundary: its pixels go to the neighbouring region of the lowest energy, while
+//! One pass over the boundary: the pixels that are listed go to the neighbouring region of the lowest energy, while
 //! each region stays one piece. (refine.cpp)
 //! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
 //! guard may be 0.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, SweepBuffers& buffers, Padded<int>& labels, Regions& regions);
+                   VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
+                   Regions& regions);
 
 }}} // namespace
 

@@ -45,24 +45,46 @@ void RegionWatershed::reserve(Size size)
     }
 }
 
-//! One sweep over the listed boundary.
-void RegionWatershed::sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
-                                VariationGuard* guard)
+//! One sweep over what is listed, but for the pixels of markers.
+void RegionWatershed::sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
+                            const Frame& frame, VariationGuard* guard)
 {
-    if (!frame.markers.empty())
-        keepMarkers(frame.markers, labels_[0], sweep_buffers_);
-    sweepBoundary(features_[level], distance, length_price, guard, sweep_buffers_, labels_[level], regions_);
+    const ListBoundary list_movable = [&](const Range& rows, BoundaryList& boundary)
+    {
+        list(rows, boundary);
+        if (!frame.markers.empty())
+            keepMarkers(frame.markers, labels_[0], boundary);
+    };
+    sweepBoundary(features_[level], distance, length_price, guard, list_movable, sweep_buffers_, labels_[level],
+                  regions_);
+}
+
+void RegionWatershed::sweepAll(int level, int length_price, const RegionDistance& distance, const Frame& frame)
+{
+    sweep([&](const Range& rows, BoundaryList& boundary) { listBoundary(labels_[level], rows, boundary); },
+          level, length_price, distance, frame, 0);
+}
+
+//! On a level that descend() came to.
+void RegionWatershed::sweepAllOfBlocks(int level, int length_price, const RegionDistance& distance, const Frame& frame)
+{
+    sweep([&](const Range& rows, BoundaryList& boundary)
+    {
+        listBoundaryOfBlocks(labels_[level + 1], labels_[level], rows, boundary);
+    }, level, length_price, distance, frame, 0);
 }
 
 //! Sweeps around the pixels that moved in the last one.
 void RegionWatershed::sweepAgain(int count, int level, int length_price, const RegionDistance& distance,
                                  const Frame& frame, VariationGuard* guard)
 {
+    if (count > 0)
+        sweep_buffers_.marks.resize(size_t(labels_[level].step()) * (labels_[level].size().height + 2));
     for (int i = 0; i < count && sweep_buffers_.moved(); i++)
-    {
-        listBoundaryAroundMoves(labels_[level], sweep_buffers_);
-        sweepOnce(level, length_price, distance, frame, guard);
-    }
+        sweep([&](const Range& rows, BoundaryList& boundary)
+        {
+            listBoundaryAroundMoves(labels_[level], rows, sweep_buffers_, boundary);
+        }, level, length_price, distance, frame, guard);
 }
 
 //! More regions than asked for, merged to the number asked for: they are small where the image
@@ -92,11 +114,10 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     }
     clearLabels(features.size(), mask, labels_[level]);
     regions_.resize(0);
-    floodFromPoints(features, markers_, bands_, distance, floodRuler(blocks, num_markers, parameters.ruler), flood_buffers_,
-                    labels_[level], regions_);
+    floodFromPoints(features, markers_, bands_, distance, floodRuler(blocks, num_markers, parameters.ruler),
+                    flood_buffers_, labels_[level], regions_);
     const int price = boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler);
-    listBoundary(labels_[level], sweep_buffers_);
-    sweepOnce(level, price, distance, frame, 0);
+    sweepAll(level, price, distance, frame);
     sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, price, distance, frame, 0);
     mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
                         labels_[level], regions_);
@@ -168,10 +189,9 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
         if (level < top)
             descend(frame, level, distance);
         if (level < top && !masked)
-            listBoundaryOfBlocks(labels_[level + 1], labels_[level], sweep_buffers_);
+            sweepAllOfBlocks(level, price, distance, frame);
         else
-            listBoundary(labels_[level], sweep_buffers_);
-        sweepOnce(level, price, distance, frame, 0);
+            sweepAll(level, price, distance, frame);
         sweepAgain((level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS) - 1, level, price, distance, frame, 0);
     }
     if (num_iterations > 1)

@@ -36,8 +36,10 @@ private:
     void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance, float ruler);
     void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
-    void sweepOnce(int level, int length_price, const RegionDistance& distance, const Frame& frame,
-                   VariationGuard* guard);
+    void sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
+               const Frame& frame, VariationGuard* guard);
+    void sweepAll(int level, int length_price, const RegionDistance& distance, const Frame& frame);
+    void sweepAllOfBlocks(int level, int length_price, const RegionDistance& distance, const Frame& frame);
     void sweepAgain(int count, int level, int length_price, const RegionDistance& distance, const Frame& frame,
                     VariationGuard* guard);
 
