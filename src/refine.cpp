@@ -32,20 +32,22 @@ public:
     {
         enum { BATCH = 256 };
         OpenPixel open[BATCH];
-        moves.clear();
+        size_t num_moves = 0;
         for (size_t first = 0; first < boundary.size(); first += BATCH)
         {
             const int n = int(std::min(boundary.size() - first, size_t(BATCH)));
             const int count = distance_.with_depth ? findOpen<true>(&boundary[first], n, open)
                                                    : findOpen<false>(&boundary[first], n, open);
+            moves.resize(num_moves + count);
             for (int i = 0; i < count; i++)
             {
                 const BoundaryPixel& pixel = boundary[first + open[i].position];
                 const Move move = { pixel.index, labels_.data()[pixel.index], chooseRegion(pixel, open[i].energy) };
-                if (move.to != move.from)
-                    moves.push_back(move);
+                moves[num_moves] = move;
+                num_moves += move.to != move.from;
             }
         }
+        moves.resize(num_moves);
     }
 
     //! Makes the moves that are still allowed and still pay, in turn. The others leave the list.
