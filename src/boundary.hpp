@@ -94,7 +94,7 @@ struct SweepBuffers
 typedef std::function<void(const Range& rows, BoundaryList& list)> ListBoundary;
 
 //! All of them, in raster order.
-void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
+CV_EXPORTS void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
 //! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
 void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);

@@ -12,15 +12,15 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! @file The steps of RGWATERSHED, in their order.
+//! @file The steps of RGWATERSHED, in their order. Some are exported for the performance tests.
 
 //! Opponent colours, or colours as they are, and depth, on the levels 0 (of pixels) to top. A level has the means of
 //! blocks of 2x2 of the one before; an odd last row or column is repeated. (features.cpp)
 //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makePyramid(const Mat& color, const Mat& depth, bool uniform_color, int top, Padded<Feature>* levels);
+CV_EXPORTS void makePyramid(const Mat& color, const Mat& depth, bool uniform_color, int top, Padded<Feature>* levels);
 
 //! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1. (features.cpp)
-void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);
+CV_EXPORTS void computeGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient);
 
 //! Buffers of a flood.
 struct FloodBuffers
@@ -40,7 +40,7 @@ struct FloodBuffers
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
 //! are there. (region_flood.cpp)
 //! ruler is the height, in 1/16 of a level, of one pixel of distance from the marker, times 256.
-void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+CV_EXPORTS void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 
@@ -64,7 +64,7 @@ struct MergeBuffers
 
 //! Merges the most similar neighbours until num_regions are left. (merge_similar.cpp)
 //! length_exponent, in 1/16, is how much a long common boundary counts.
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
+CV_EXPORTS void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
                          MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Labels for the groups of regions that were merged. parents name the region that took each one in, areas are
@@ -79,10 +79,10 @@ void measureErrors(const Padded<Feature>& features, const RegionDistance& distan
                    const Regions& regions, std::vector<int64>& errors);
 
 //! Labels of blocks of 2x2 pixels to the pixels. (region_labels.cpp)
-void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
+CV_EXPORTS void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty. (region_labels.cpp)
-void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
+CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
 //! The pixels inside of the mask that have no label become UNSEEN. (region_labels.cpp)
 void openUnlabelled(const Mat& mask, Padded<int>& labels);
@@ -122,7 +122,7 @@ private:
 //! each region stays one piece. (refine.cpp)
 //! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
 //! guard may be 0.
-void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
+CV_EXPORTS void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
                    VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
                    Regions& regions);
 

@@ -32,7 +32,7 @@ struct MarkerBand
 };
 
 //! Whole rows of cells of that grid, as few as are not lower than a height. (markers.cpp)
-void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 
 //! Buffers for placing markers in regions.
 struct MarkerBuffers

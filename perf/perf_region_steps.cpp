@@ -1,0 +1,142 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "perf_common.hpp"
+#include "../src/region_settings.hpp"
+#include "../src/region_steps.hpp"
+
+namespace opencv_test { namespace {
+
+//! The steps of RGWATERSHED on colour, with blocks of 4x4 pixels as at all of the sizes.
+class RegionSteps
+{
+public:
+    enum { TOP = 2 };
+
+    explicit RegionSteps(Size size)
+        : pictures(size), num_superpixels_(perfNumSuperpixels(size)), ruler_(10),
+          flood_distance_(gws::floodDistance(1, false)), sweep_distance_(gws::sweepDistance(1, false))
+    {
+    }
+
+    void makeFeatures() { gws::makePyramid(pictures.image(), Mat(), false, TOP, features_); }
+
+    void placeMarkers()
+    {
+        const int num_markers = num_superpixels_ * gws::MARKERS_PER_SUPERPIXEL;
+        gws::computeGradient(features_[TOP], flood_distance_, gradient_);
+        gws::placeMarkers(gradient_, num_markers, markers_);
+        gws::divideIntoBands(gradient_.size(), num_markers, gws::FLOOD_BAND, bands_);
+    }
+
+    void flood()
+    {
+        const int ruler = gws::floodRuler(double(gradient_.total()), int(markers_.size()), ruler_);
+        gws::clearLabels(gradient_.size(), Mat(), labels_[TOP]);
+        regions_.resize(0);
+        gws::floodFromPoints(features_[TOP], markers_, bands_, flood_distance_, ruler, flood_buffers_, labels_[TOP],
+                             regions_);
+    }
+
+    void sweep(int level, double price)
+    {
+        gws::sweepBoundary(features_[level], level == TOP ? flood_distance_ : sweep_distance_,
+                           gws::boundaryPrice(price, PERF_REGION_SIZE, ruler_), 0,
+                           [&](const Range& rows, gws::BoundaryList& list)
+                           {
+                               gws::listBoundary(labels_[level], rows, list);
+                           }, sweep_buffers_, labels_[level], regions_);
+    }
+
+    void sweepBlocks() { sweep(TOP, gws::PRICE_BEFORE_MERGING); }
+    void sweepPixels() { sweep(0, gws::PRICE); }
+
+    void merge()
+    {
+        gws::mergeSimilarRegions(num_superpixels_, flood_distance_, gws::lengthExponent(ruler_), merge_buffers_,
+                                 labels_[TOP], regions_);
+    }
+
+    void labelPixels()
+    {
+        for (int level = TOP - 1; level >= 0; level--)
+        {
+            gws::doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
+            regions_.divideBlocks();
+        }
+    }
+
+    Pictures pictures;
+
+private:
+    const int num_superpixels_;
+    const float ruler_;
+    const gws::RegionDistance flood_distance_, sweep_distance_;
+    gws::Padded<gws::Feature> features_[TOP + 1];
+    gws::Padded<int> labels_[TOP + 1];
+    Mat gradient_;
+    std::vector<Point> markers_;
+    std::vector<gws::MarkerBand> bands_;
+    gws::Regions regions_;
+    gws::FloodBuffers flood_buffers_;
+    gws::SweepBuffers sweep_buffers_;
+    gws::MergeBuffers merge_buffers_;
+};
+
+typedef void (RegionSteps::*RegionStep)();
+
+class Perf_GWatershed_region_step : public PicturesTest<Size>
+{
+protected:
+    //! Times one of the steps after those before it.
+    void timeStep(RegionStep step)
+    {
+        const RegionStep STEPS[] = { &RegionSteps::makeFeatures, &RegionSteps::placeMarkers, &RegionSteps::flood,
+                                     &RegionSteps::sweepBlocks, &RegionSteps::merge, &RegionSteps::labelPixels,
+                                     &RegionSteps::sweepPixels };
+        RegionSteps steps(GetParam());
+        timeOver(steps.pictures, [&]()
+        {
+            for (int i = 0; STEPS[i] != step; i++)
+                (steps.*STEPS[i])();
+        }, [&]() { (steps.*step)(); });
+    }
+};
+
+PERF_TEST_P(Perf_GWatershed_region_step, features, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::makeFeatures);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, markers, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::placeMarkers);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, flood, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::flood);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, sweep_of_blocks, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::sweepBlocks);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, merging, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::merge);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, labels_of_pixels, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::labelPixels);
+}
+
+PERF_TEST_P(Perf_GWatershed_region_step, sweep_of_pixels, GWATERSHED_PERF_SIZES)
+{
+    timeStep(&RegionSteps::sweepPixels);
+}
+
+}} // namespace
