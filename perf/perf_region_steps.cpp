@@ -27,7 +27,8 @@ public:
         const int num_markers = num_superpixels_ * gws::MARKERS_PER_SUPERPIXEL;
         gws::computeGradient(features_[TOP], flood_distance_, gradient_);
         gws::placeMarkers(gradient_, num_markers, markers_);
-        gws::divideIntoBands(gradient_.size(), num_markers, gws::FLOOD_BAND, bands_);
+        gws::divideIntoBands(gradient_.size(), num_markers,
+                             gws::floodBandHeight(double(gradient_.total()), num_superpixels_), bands_);
     }
 
     void flood()

@@ -79,7 +79,7 @@ void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerB
     for (int i = 0, first = 0; i < rows; i++)
     {
         const int top = divide(size.height, first, rows), bottom = divide(size.height, i + 1, rows);
-        if (bottom - top < height && i + 1 < rows)
+        if (i + 1 < rows && std::min(bottom - top, size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom),
                                   Range(divide(num_markers, first, rows), divide(num_markers, i + 1, rows)) };

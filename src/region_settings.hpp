@@ -15,7 +15,6 @@ namespace cv { namespace ximgproc { namespace gws {
 static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
 static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
 static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
-static const int FLOOD_BAND = 16;              // rows of blocks that are flooded by themselves, at least
 static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -39,6 +38,13 @@ static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
 inline int floodRuler(double blocks, int num_markers, float ruler)
 {
     return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(blocks / num_markers), double(INT_MAX)));
+}
+
+//! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
+inline int floodBandHeight(double blocks, int num_superpixels)
+{
+    const int FEWEST = 16, SUPERPIXELS = 6;
+    return int(std::max<double>(FEWEST, SUPERPIXELS * std::sqrt(blocks / num_superpixels)));
 }
 
 inline int boundaryPrice(double price, double side, float ruler)

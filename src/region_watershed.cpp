@@ -110,7 +110,7 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     else
     {
         placeMarkers(gradient_, num_markers, markers_);
-        divideIntoBands(features.size(), num_markers, FLOOD_BAND, bands_);
+        divideIntoBands(features.size(), num_markers, floodBandHeight(blocks, num_superpixels), bands_);
     }
     clearLabels(features.size(), mask, labels_[level]);
     regions_.resize(0);

@@ -31,7 +31,7 @@ struct MarkerBand
     Range rows, markers;
 };
 
-//! Whole rows of cells of that grid, as few as are not lower than a height. (markers.cpp)
+//! Whole rows of cells of that grid, as few as are not lower than a height; all of them if they are. (markers.cpp)
 CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 
 //! Buffers for placing markers in regions.
