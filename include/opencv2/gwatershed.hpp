@@ -12,7 +12,8 @@
 
 The module holds one class, cv::ximgproc::SuperpixelGWatershed, which divides a colour image, or a
 colour image with its depth map, into superpixels after @cite Jiang2015. Its interface follows
-SuperpixelSLIC and SuperpixelSEEDS of the module ximgproc, which it does not need.
+SuperpixelSLIC and SuperpixelSEEDS of the module ximgproc, which it does not need. @ref tutorial_gwatershed
+begins with code for SuperpixelSLIC.
 */
 
 namespace cv
