@@ -31,3 +31,11 @@ need_packages() {
     as_root apt-get -qq update
     as_root apt-get -qq install -y --no-install-recommends "${missing[@]}" >/dev/null
 }
+
+# Builds the module alone, against Debian's OpenCV, in the folder $alone.
+alone=$cache/demo-build
+build_alone() {
+    rm -f "$alone/CMakeCache.txt" # of a clone elsewhere
+    cmake -S "$root" -B "$alone" -DCMAKE_BUILD_TYPE=Release >/dev/null
+    cmake --build "$alone" --parallel "$(nproc)" >/dev/null
+}
