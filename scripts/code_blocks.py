@@ -53,6 +53,8 @@ def main():
         line = text.count("\n", 0, match.start()) + 2
         blocks.setdefault(language, []).append(
             FILES[language][2].format(document=document, line=line) + "\n" + code)
+    if text.count("```") != 2 * sum(map(len, blocks.values())):
+        sys.exit(document + ": a fence that does not stand at the beginning of a line, or is not closed")
     for language, parts in blocks.items():
         name, frame, _ = FILES[language]
         code = "\n".join(parts)
