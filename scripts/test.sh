@@ -59,17 +59,13 @@ fetch_source() {
 }
 
 configure() {
-    local modules=$root with=() name
+    local modules=$root
     [ -d "$source_dir/contrib/modules/ximgproc" ] && modules="$source_dir/contrib/modules/ximgproc;$root"
-    for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER OPENJPEG GTK V4L 1394 \
-                PROTOBUF EIGEN LAPACK; do
-        with+=("-DWITH_$name=OFF")
-    done
     cmake -G Ninja -S "$source_dir" -B "$build" -DCMAKE_BUILD_TYPE=Release \
         "-DOPENCV_EXTRA_MODULES_PATH=$modules" \
         -DBUILD_LIST=gwatershed,ximgproc,ts,python3,python_bindings_generator \
         -DPYTHON3_EXECUTABLE=/usr/bin/python3 -DBUILD_EXAMPLES=ON -DBUILD_TESTS=ON -DBUILD_PERF_TESTS=ON \
-        -DBUILD_JAVA=OFF -DENABLE_PRECOMPILED_HEADERS=OFF "${with[@]}"
+        -DBUILD_JAVA=OFF "${lean[@]}"
 }
 
 passed=0
