@@ -75,7 +75,8 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
 
     public void testFactoryForAnImageWithDepth() {
         Mat flat = new Mat(HEIGHT, WIDTH, CvType.CV_8UC3, new Scalar(100, 100, 100));
-        SuperpixelGWatershed gws = Gwatershed.createSuperpixelGWatershed(flat, depth, Gwatershed.RGWATERSHED, 8, 10f, 0.25f);
+        SuperpixelGWatershed gws = Gwatershed.createSuperpixelGWatershed(
+                flat, depth, Gwatershed.RGWATERSHED, 8, 10f, 0.25f);
         assertEquals(0.25f, gws.getAlpha());
         gws.iterate();
         int[] labels = checkedLabelsOf(gws, 48);
