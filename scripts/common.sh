@@ -31,3 +31,18 @@ need_packages() {
     as_root apt-get -qq update
     as_root apt-get -qq install -y --no-install-recommends "${missing[@]}" >/dev/null
 }
+
+# What a build of OpenCV can do without here. Debian's source does not have all of it.
+lean=(-DENABLE_PRECOMPILED_HEADERS=OFF)
+for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER OPENJPEG GTK V4L 1394 \
+            PROTOBUF EIGEN LAPACK; do
+    lean+=("-DWITH_$name=OFF")
+done
+
+# Builds the module alone, against Debian's OpenCV, in the folder $alone.
+alone=$cache/demo-build
+build_alone() {
+    rm -f "$alone/CMakeCache.txt" # of a clone elsewhere
+    cmake -S "$root" -B "$alone" -DCMAKE_BUILD_TYPE=Release >/dev/null
+    cmake --build "$alone" --parallel "$(nproc)" >/dev/null
+}

@@ -27,19 +27,16 @@ fetch_photographs() {
 }
 
 need_packages cmake g++ make libopencv-dev
-build=$cache/demo-build
 say "building against OpenCV $(pkg-config --modversion opencv4 2>/dev/null || true)"
-rm -f "$build/CMakeCache.txt" # of a clone elsewhere
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release >/dev/null
-cmake --build "$build" --parallel "$(nproc)" >/dev/null
+build_alone
 
 mkdir -p gwatershed-demo
 if [ $# -gt 0 ]; then
     name=$(basename "${1%.*}")
-    "$build/gwatershed_demo" -i="$1" ${2:+-d="$2"} -o="gwatershed-demo/$name"
+    "$alone/gwatershed_demo" -i="$1" ${2:+-d="$2"} -o="gwatershed-demo/$name"
 else
     fetch_photographs
-    "$build/gwatershed_demo" -i="$photographs/fruits.jpg" -o=gwatershed-demo/fruits
-    "$build/gwatershed_demo" -i="$photographs/aloeL.jpg" -o=gwatershed-demo/aloe
-    "$build/gwatershed_demo" -i="$photographs/aloeL.jpg" -d="$photographs/aloeGT.png" -o=gwatershed-demo/aloe_depth
+    "$alone/gwatershed_demo" -i="$photographs/fruits.jpg" -o=gwatershed-demo/fruits
+    "$alone/gwatershed_demo" -i="$photographs/aloeL.jpg" -o=gwatershed-demo/aloe
+    "$alone/gwatershed_demo" -i="$photographs/aloeL.jpg" -d="$photographs/aloeGT.png" -o=gwatershed-demo/aloe_depth
 fi

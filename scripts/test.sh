@@ -59,17 +59,13 @@ fetch_source() {
 }
 
 configure() {
-    local modules=$root with=() name
+    local modules=$root
     [ -d "$source_dir/contrib/modules/ximgproc" ] && modules="$source_dir/contrib/modules/ximgproc;$root"
-    for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER OPENJPEG GTK V4L 1394 \
-                PROTOBUF EIGEN LAPACK; do
-        with+=("-DWITH_$name=OFF")
-    done
     cmake -G Ninja -S "$source_dir" -B "$build" -DCMAKE_BUILD_TYPE=Release \
         "-DOPENCV_EXTRA_MODULES_PATH=$modules" \
         -DBUILD_LIST=gwatershed,ximgproc,ts,python3,python_bindings_generator \
         -DPYTHON3_EXECUTABLE=/usr/bin/python3 -DBUILD_EXAMPLES=ON -DBUILD_TESTS=ON -DBUILD_PERF_TESTS=ON \
-        -DBUILD_JAVA=OFF -DENABLE_PRECOMPILED_HEADERS=OFF "${with[@]}"
+        -DBUILD_JAVA=OFF "${lean[@]}"
 }
 
 passed=0
@@ -218,8 +214,37 @@ benchmark_finds_itself() { # IMAGE
     grep -q '^RGWATERSHED,614,mean,1,0,1,' "$results/benchmark.csv"
 }
 
+# The module alone is installed, projects find it, and uninstalling leaves what was there before. The projects are the
+# code blocks of the documents: the C++ as a program, built as the CMake block of the document says, Python, shell.
+run_installed() {
+    local prefix=$results/prefix document folder
+    say "the module alone"
+    check "build" build_alone
+    mkdir -p "$prefix/include/opencv2" "$prefix/lib"
+    touch "$prefix/include/opencv2/other.hpp"
+    find "$prefix" | sort >"$results/prefix.before"
+    check "install" cmake --install "$alone" --prefix "$prefix"
+    for document in README.md CONTRIBUTING.md doc/gwatershed.markdown; do
+        folder=$results/blocks/$document
+        check "$document: code blocks" "$root/scripts/code_blocks.py" "$root/$document" "$folder"
+        sed 's/^/          /' "$results/check.log"
+        [ ! -f "$folder/superpixels.cpp" ] || check "$document: C++ in a project of its own" user_project "$folder"
+        [ ! -f "$folder/superpixels.py" ] || check "$document: Python" \
+            env "PYTHONPATH=$build/lib/python3" /usr/bin/python3 "$folder/superpixels.py"
+        [ ! -f "$folder/superpixels.sh" ] || check "$document: shell" bash -n "$folder/superpixels.sh"
+    done
+    check "uninstall" cmake --build "$alone" --target uninstall
+    check "nothing is left of it" sh -c 'find "$1" | sort | diff "$1.before" -' sh "$prefix"
+}
+
+# Builds the project of a folder against the installed module and runs it there.
+user_project() { # FOLDER
+    cmake -S "$1" -B "$1/build" "-DCMAKE_PREFIX_PATH=$results/prefix" &&
+    cmake --build "$1/build" && (cd "$1" && build/superpixels)
+}
+
 need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g-dev python3-dev python3-numpy \
-    python3-matplotlib
+    python3-matplotlib make libopencv-dev
 [ -d "$source_dir" ] || fetch_source
 results=$place/results
 rm -rf "$results"
@@ -237,6 +262,7 @@ run_gtest performance "$build/bin/opencv_perf_gwatershed" --perf_min_samples=1 -
     '--gtest_filter=*/0'
 run_python_test
 run_samples
+run_installed
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -12,7 +12,8 @@
 
 The module holds one class, cv::ximgproc::SuperpixelGWatershed, which divides a colour image, or a
 colour image with its depth map, into superpixels after @cite Jiang2015. Its interface follows
-SuperpixelSLIC and SuperpixelSEEDS of the module ximgproc, which it does not need.
+SuperpixelSLIC and SuperpixelSEEDS of the module ximgproc, which it does not need. @ref tutorial_gwatershed
+begins with code for SuperpixelSLIC.
 */
 
 namespace cv
@@ -303,21 +304,21 @@ public:
     /** @brief Sets the algorithm.
     @param algorithm One of #GWatershedType. */
     CV_WRAP virtual void setAlgorithm(int algorithm) = 0;
-    //! @see setAlgorithm
+    /** @brief The algorithm, one of #GWatershedType. @see setAlgorithm */
     CV_WRAP virtual int getAlgorithm() const = 0;
 
     /** @brief Asks for superpixels of a mean size; replaces what setNumSuperpixels() asked for.
     @param region_size Side in pixels of the square that a superpixel fills on the mean, 1 or more:
     N is the integer nearest to W * H / region_size^2, at least 1. */
     CV_WRAP virtual void setRegionSize(int region_size) = 0;
-    //! Region size in pixels, or 0 where a number of superpixels is asked for. @see setRegionSize
+    /** @brief Region size in pixels, or 0 where a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
 
     /** @brief Asks for a number of superpixels; replaces what setRegionSize() asked for.
     @param num_superpixels Number of superpixels, 1 or more. It is met exactly; an image with fewer
     pixels gets one superpixel for each pixel. */
     CV_WRAP virtual void setNumSuperpixels(int num_superpixels) = 0;
-    //! Number asked for, or 0 where a region size is asked for. @see setNumSuperpixels
+    /** @brief Number asked for, or 0 where a region size is asked for. @see setNumSuperpixels */
     CV_WRAP virtual int getNumSuperpixels() const = 0;
 
     /** @brief Sets the compactness.
@@ -328,7 +329,7 @@ public:
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler) = 0;
-    //! @see setRuler
+    /** @brief The compactness. @see setRuler */
     CV_WRAP virtual float getRuler() const = 0;
 
     /** @brief Sets the weight of colour against depth, equation (3) of the paper.
@@ -339,7 +340,7 @@ public:
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha) = 0;
-    //! @see setAlpha
+    /** @brief The weight of colour against depth. @see setAlpha */
     CV_WRAP virtual float getAlpha() const = 0;
 
     /** @brief Tells whether images come in a perceptually uniform colour space.
@@ -347,7 +348,7 @@ public:
     opponent space. If true, it takes the channels as they are: lightness and two colour
     differences, for example CIELAB as cv::cvtColor makes it. GWATERSHED never converts. */
     CV_WRAP virtual void setUniformColor(bool uniform) = 0;
-    //! @see setUniformColor
+    /** @brief Whether images come in a perceptually uniform colour space. @see setUniformColor */
     CV_WRAP virtual bool getUniformColor() const = 0;
 
     /** @brief Sets whether superpixels keep their labels from frame to frame.
@@ -363,7 +364,7 @@ public:
     @note Merging, by mergeSimilar() or enforceLabelConnectivity(), numbers labels anew for one frame; the next
     frame goes on from what iterate() gave. */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
-    //! @see setTemporal
+    /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
 
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
@@ -375,9 +376,9 @@ public:
     both 0, the default: the range from the 1st to the 99th percentile of the valid depth of the
     frame, taken over a regular sample of it, or from its minimum to its maximum if these are equal. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
-    //! @see setDepthRange
+    /** @brief The depth that becomes 1, or 0 where the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
-    //! @see setDepthRange
+    /** @brief The depth that becomes 255, or 0 where the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getFarDepth() const = 0;
 
     /** @brief Sets the gradient from which a pixel is a border at the start (line 6 of Algorithm 1).
@@ -389,7 +390,7 @@ public:
     weighted by alpha as the distance is. 0 means none. Default 150: without borders the flood
     crosses strong edges before it has come back to the low heights, and follows half of them. */
     CV_WRAP virtual void setBorderThreshold(float border_threshold) = 0;
-    //! @see setBorderThreshold
+    /** @brief The gradient from which a pixel is a border, or 0 for none. @see setBorderThreshold */
     CV_WRAP virtual float getBorderThreshold() const = 0;
 
     //! @}

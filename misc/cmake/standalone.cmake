@@ -45,6 +45,9 @@ else()
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)
+install(CODE "set(directories ${package_dir} ${CMAKE_INSTALL_INCLUDEDIR}/opencv2)")
+install(CODE "set(build_dir ${PROJECT_BINARY_DIR})")
+install(SCRIPT misc/cmake/note_directories.cmake)
 install(TARGETS opencv_gwatershed EXPORT gwatershedTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -56,3 +59,6 @@ configure_package_config_file(misc/cmake/gwatershedConfig.cmake.in gwatershedCon
 write_basic_package_version_file(gwatershedConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/gwatershedConfig.cmake ${PROJECT_BINARY_DIR}/gwatershedConfigVersion.cmake
   DESTINATION ${package_dir})
+
+add_custom_target(uninstall
+  COMMAND ${CMAKE_COMMAND} -Dbuild_dir=${PROJECT_BINARY_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake)

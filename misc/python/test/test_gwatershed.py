@@ -3,10 +3,59 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """Every overload of SuperpixelGWatershed from Python, by position and by keyword."""
+import inspect
+
 import cv2 as cv
 import numpy as np
 
 from tests_common import NewOpenCVTests
+
+# What help() shows: a line for each overload, the names as in the header.
+FACTORY = [
+    "(image_width, image_height, image_channels, num_superpixels[, algorithm[, ruler]]) -> retval",
+    "(image[, algorithm[, region_size[, ruler]]]) -> retval",
+    "(image, depth[, algorithm[, region_size[, ruler[, alpha]]]]) -> retval",
+]
+METHODS = {
+    "iterate": ["([, num_iterations]) -> None", "(image[, num_iterations]) -> None",
+                "(image, depth[, num_iterations]) -> None"],
+    "getNumberOfSuperpixels": ["() -> retval"],
+    "getLabels": ["([, labels_out]) -> labels_out"],
+    "getLabelContourMask": ["([, image[, thick_line]]) -> image"],
+    "getWatershedLineMask": ["([, image]) -> image"],
+    "enforceLabelConnectivity": ["([, min_element_size]) -> None"],
+    "mergeSimilar": ["(num_superpixels) -> None"],
+    "getStatistics": ["(image, depth[, stats[, centroids[, mean_colors[, mean_depths]]]])"
+                      " -> stats, centroids, mean_colors, mean_depths"],
+    "getAdjacency": ["(image, depth[, pairs[, lengths[, heights]]]) -> pairs, lengths, heights"],
+    "setMask": ["(mask) -> None"],
+    "setMarkers": ["(markers) -> None"],
+    "setAlgorithm": ["(algorithm) -> None"],
+    "getAlgorithm": ["() -> retval"],
+    "setRegionSize": ["(region_size) -> None"],
+    "getRegionSize": ["() -> retval"],
+    "setNumSuperpixels": ["(num_superpixels) -> None"],
+    "getNumSuperpixels": ["() -> retval"],
+    "setRuler": ["(ruler) -> None"],
+    "getRuler": ["() -> retval"],
+    "setAlpha": ["(alpha) -> None"],
+    "getAlpha": ["() -> retval"],
+    "setUniformColor": ["(uniform) -> None"],
+    "getUniformColor": ["() -> retval"],
+    "setTemporal": ["(temporal) -> None"],
+    "getTemporal": ["() -> retval"],
+    "setDepthRange": ["(near_depth, far_depth) -> None"],
+    "getNearDepth": ["() -> retval"],
+    "getFarDepth": ["() -> retval"],
+    "setBorderThreshold": ["(border_threshold) -> None"],
+    "getBorderThreshold": ["() -> retval"],
+}
+
+
+def signatures(function):
+    """The lines of the docstring that are signatures; those of the description begin with a dot."""
+    lines = function.__doc__.splitlines()
+    return [line[len(function.__name__):] for line in lines if line.startswith(function.__name__ + "(")]
 
 
 def make_image(height=48, width=64):
@@ -33,6 +82,23 @@ class gwatershed_test(NewOpenCVTests):
         gws = cv.ximgproc.createSuperpixelGWatershed(*arguments, **keywords)
         gws.iterate()
         return self.labels_of(gws)
+
+    def test_methods_are_those_of_the_header(self):
+        own = dict(inspect.getmembers(cv.ximgproc.SuperpixelGWatershed, callable))
+        names = {name for name in own if not name.startswith("_")}
+        self.assertEqual(names - set(dir(cv.Algorithm)), set(METHODS))
+        self.assertLessEqual({"clear", "empty", "read", "save", "write", "getDefaultName"}, names)
+
+    def test_signatures(self):
+        self.assertEqual(signatures(cv.ximgproc.createSuperpixelGWatershed), FACTORY)
+        for name, expected in METHODS.items():
+            self.assertEqual(signatures(getattr(cv.ximgproc.SuperpixelGWatershed, name)), expected, name)
+
+    def test_every_method_is_described(self):
+        for name in METHODS:
+            text = getattr(cv.ximgproc.SuperpixelGWatershed, name).__doc__
+            description = [line for line in text.splitlines() if line.startswith(".") and line.strip(". ")]
+            self.assertTrue(description, name)
 
     def test_factory_for_an_image(self):
         image = make_image()

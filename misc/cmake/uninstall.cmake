@@ -1,0 +1,28 @@
+# Removes the files that the last install of build_dir wrote, and the directories that installing made.
+set(manifest ${build_dir}/install_manifest.txt)
+set(noted ${build_dir}/install_directories.txt)
+if(NOT EXISTS ${manifest})
+  message(FATAL_ERROR "nothing is installed from ${build_dir}")
+endif()
+
+file(STRINGS ${manifest} files)
+foreach(file IN LISTS files)
+  set(file "$ENV{DESTDIR}${file}")
+  message(STATUS "Removing ${file}")
+  file(REMOVE "${file}")
+  if(EXISTS "${file}" OR IS_SYMLINK "${file}")
+    message(FATAL_ERROR "cannot remove ${file}")
+  endif()
+endforeach()
+
+set(directories)
+if(EXISTS ${noted})
+  file(STRINGS ${noted} directories)
+endif()
+foreach(directory IN LISTS directories)
+  file(GLOB left "$ENV{DESTDIR}${directory}/*")
+  if(NOT left) # things of others stay
+    file(REMOVE_RECURSE "$ENV{DESTDIR}${directory}")
+  endif()
+endforeach()
+file(REMOVE ${manifest} ${noted})

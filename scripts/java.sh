@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Builds OpenCV's Java binding with the module in it, without optimization, and runs the Java tests of the module.
+# scripts/test.sh must have been run before, for the source; OPENCV_VERSION is as there.
+# The last line is "N passed, N failed".
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+place=$cache/${OPENCV_VERSION:-4.6.0}
+build=$place/java
+log=$place/java.log
+[ -d "$place/source" ] || fail "there is no $place/source yet: run scripts/test.sh"
+need_packages cmake ninja-build g++ libjpeg-dev libpng-dev zlib1g-dev default-jdk ant ant-optional
+export JAVA_HOME=${JAVA_HOME:-/usr/lib/jvm/default-java}
+
+# OpenCV builds the tests of its Java binding only where calib3d is built.
+say "building OpenCV for Java in $build (the first time takes seven minutes of a core)"
+cmake -G Ninja -S "$place/source" -B "$build" -DCMAKE_BUILD_TYPE=Release "-DOPENCV_EXTRA_MODULES_PATH=$root" \
+    -DBUILD_LIST=gwatershed,java,imgcodecs,calib3d -DBUILD_PERF_TESTS=OFF -DCPU_DISPATCH= \
+    -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_C_FLAGS_RELEASE=-O0 "${lean[@]}" >"$log" 2>&1 ||
+    { tail -n 40 "$log"; fail "cmake failed"; }
+ninja -C "$build" opencv_test_java >"$log" 2>&1 || { tail -n 60 "$log"; fail "the build failed; see $log"; }
+
+cd "$build/java_test"
+rm -rf testResults
+ant -Dopencv.build.type=Release -Dopencv.test.package=gwatershed buildAndTest >"$log" 2>&1 || true
+read -r tests failed < <(grep -o 'Tests run: .*' "$log" | tr -dc '0-9 \n' |
+    awk '{ tests += $1; failed += $2 + $3 } END { print tests + 0, failed + 0 }')
+[ "$tests" -gt 0 ] || { tail -n 40 "$log"; failed=1 tests=1; }
+grep -E 'FAILED|Caused an ERROR' "$log" || true
+echo "$((tests - failed)) passed, $failed failed"
+[ "$failed" = 0 ]
