@@ -159,12 +159,15 @@ public:
     void setMask(InputArray mask) CV_OVERRIDE
     {
         const Mat checked = gws::checkMask(mask);
-        const Mat before = mask_;
-        mask_ = checked.empty() ? Mat() : Mat(checked != 0);
-        if (before.size() != mask_.size() || (!mask_.empty() && countNonZero(before != mask_) > 0))
+        const Mat inside = checked.empty() ? Mat() : Mat(checked != 0);
+        const bool changes = mask_.size() != inside.size() || (!inside.empty() && countNonZero(mask_ != inside) > 0);
+        const Rect bounds = inside.empty() ? Rect() : gws::findBounds(inside);
+        const int area = inside.empty() ? 0 : countNonZero(inside);
+        if (changes) // nothing fails from here on, so that all of the mask is set, or none of it
             last_ = Last();
-        mask_bounds_ = mask_.empty() ? Rect() : gws::findBounds(mask_);
-        mask_area_ = mask_.empty() ? 0 : countNonZero(mask_);
+        mask_ = inside;
+        mask_bounds_ = bounds;
+        mask_area_ = area;
     }
     void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
 
