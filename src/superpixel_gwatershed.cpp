@@ -95,10 +95,13 @@ public:
                  "min_element_size must be in [0, 100] percent");
         if (num_labels_ == 0)
             return;
-        const int64 whole = int64(100) * num_labels_;
-        const int64 min_area = (int64(countNonZero(labels_ >= 0)) * min_element_size + whole - 1) / whole;
         const int before = num_labels_;
-        guardMemory([&]() { num_labels_ = gws::mergeSmallRegions(num_labels_, int(min_area), labels_); });
+        guardMemory([&]()
+        {
+            const int64 whole = int64(100) * num_labels_;
+            const int64 min_area = (int64(countNonZero(labels_ >= 0)) * min_element_size + whole - 1) / whole;
+            num_labels_ = gws::mergeSmallRegions(num_labels_, int(min_area), labels_);
+        });
         if (num_labels_ < before)
             hierarchy_ = gws::MergeHierarchy();
     }
@@ -159,12 +162,15 @@ public:
     void setMask(InputArray mask) CV_OVERRIDE
     {
         const Mat checked = gws::checkMask(mask);
-        const Mat before = mask_;
-        mask_ = checked.empty() ? Mat() : Mat(checked != 0);
-        if (before.size() != mask_.size() || (!mask_.empty() && countNonZero(before != mask_) > 0))
+        const Mat inside = checked.empty() ? Mat() : Mat(checked != 0);
+        const bool changes = mask_.size() != inside.size() || (!inside.empty() && countNonZero(mask_ != inside) > 0);
+        const Rect bounds = inside.empty() ? Rect() : gws::findBounds(inside);
+        const int area = inside.empty() ? 0 : countNonZero(inside);
+        if (changes) // nothing fails from here on, so that all of the mask is set, or none of it
             last_ = Last();
-        mask_bounds_ = mask_.empty() ? Rect() : gws::findBounds(mask_);
-        mask_area_ = mask_.empty() ? 0 : countNonZero(mask_);
+        mask_ = inside;
+        mask_bounds_ = bounds;
+        mask_area_ = area;
     }
     void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
 

@@ -342,44 +342,6 @@ TEST_P(ximgproc_GWatershed_input, allocates_nothing_large_for_the_second_image_o
     EXPECT_LT(largest_new, image.total() / 2) << "bytes by new";
 }
 
-TEST_P(ximgproc_GWatershed_input, stays_usable_wherever_memory_runs_out)
-{
-    ThreadsGuard one(1);
-    RNG& rng = theRNG();
-    const Mat image = makeScene(Size(160, 120), rng), depth = makeDepth(image.size(), 0.2, rng);
-    const Mat image_before = image.clone(), depth_before = depth.clone(), mask = makeMask(DISCS, image.size(), rng);
-    for (int masked = 0; masked < 2; masked++)
-    {
-        Ptr<SuperpixelGWatershed> fresh = createSuperpixelGWatershed(1, 1, 3, 30, GetParam());
-        fresh->setMask(masked ? mask : Mat());
-        fresh->iterate(image, depth, 3);
-        const Mat expected = labelsOf(fresh);
-
-        bool failed = true;
-        int count = 0;
-        for (; failed; count++)
-        {
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1, 1, 3, 30, GetParam());
-            gws->setMask(masked ? mask : Mat());
-            failNewAfter(count);
-            try
-            {
-                gws->iterate(image, depth, 3);
-            }
-            catch (const cv::Exception&)
-            {
-            }
-            failed = newHasFailed();
-            failNewAfter(-1);
-            gws->iterate(image, depth, 3);
-            ASSERT_TRUE(equalMats(expected, labelsOf(gws))) << "after " << count;
-        }
-        EXPECT_GT(count, 10);
-    }
-    EXPECT_TRUE(equalMats(image_before, image));
-    EXPECT_TRUE(equalMats(depth_before, depth));
-}
-
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, GWATERSHED_ALGORITHMS);
 
 }} // namespace
