@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Builds the module, with the program misc/fuzz/stress.cpp, under sanitizers and checkers; a line for each.
+# The logs stay in the cache. The last line is "N passed, N failed".
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+place=$cache/check
+passed=0
+failed=0
+
+# Runs a command as one check; its output is a log, of which the end is shown if it fails.
+check() { # NAME COMMAND...
+    local name=$1 log=$place/${1// /-}.log
+    shift
+    if "$@" >"$log" 2>&1; then
+        echo "  ok      $name"
+        passed=$((passed + 1))
+    else
+        tail -n 40 "$log"
+        echo "  FAILED  $name; log: $log"
+        failed=$((failed + 1))
+    fi
+}
+
+build() { # FOLDER TARGET COMPILER FLAGS
+    cmake -S "$root/misc/fuzz" -B "$place/$1" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_CXX_FLAGS=$4" >/dev/null &&
+        cmake --build "$place/$1" --target "$2" --parallel "$(nproc)"
+}
+
+# A program that a sanitizer is built into.
+sanitize() { # FOLDER FLAGS ARGUMENTS...
+    build "$1" stress clang++-14 "-O1 -g $2" && "$place/$1/stress" "${@:3}"
+}
+
+# Valgrind of Debian 12 does not read what clang writes about the source by default.
+run_valgrind() { # FOLDER ARGUMENTS...
+    build "$1" stress clang++-14 "-O1 -gdwarf-4" &&
+        valgrind --quiet --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite \
+            "$place/$1/stress" "${@:2}"
+}
+
+no_warning_in() { # LOG
+    grep -q 'Built target gwatershed' "$1" && ! grep -E "^$root/(src|include)/.*warning:" "$1" | sort -u | grep .
+}
+
+warn() { # FOLDER COMPILER FLAGS
+    build "$1" gwatershed "$2" "$3" >"$place/$1.build" 2>&1 && no_warning_in "$place/$1.build"
+}
+
+tidy() { # FOLDER OF A BUILD
+    printf '%s\0' "$root"/src/*.cpp |
+        xargs -0 -n 1 -P "$(nproc)" clang-tidy-14 -p "$place/$1" --quiet "--header-filter=^$root/(src|include)/"
+}
+
+need_packages cmake make g++ clang-14 clang-tidy-14 libclang-rt-14-dev valgrind libopencv-dev
+rm -rf "$place"
+mkdir -p "$place"
+# Without this option the search for leaks of clang 14 breaks down where threads have ended.
+export ASAN_OPTIONS=intercept_tls_get_addr=0
+
+say "building and running under sanitizers and checkers; it takes some minutes"
+check "addresses and undefined behaviour" \
+    sanitize addresses "-fsanitize=address,undefined -fno-sanitize-recover=all" 200
+check "threads" sanitize threads -fsanitize=thread 100
+check "valgrind" run_valgrind memory 40 400
+check "no warning of clang" no_warning_in "$place/addresses-and-undefined-behaviour.log"
+check "no warning of g++" warn g++ g++ -O2
+check "clang-tidy" tidy addresses
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
