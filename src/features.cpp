@@ -128,7 +128,7 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
             last_lower[i] = lower[from];
         }
         halveRow(last_upper, last_lower, with_depth, last);
-        std::copy(last, last + width - x, to + x);
+        std::copy(last, last + (width - x), to + x);
     }
 }
 

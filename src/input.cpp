@@ -13,7 +13,7 @@ void checkIterations(int num_iterations)
 
 void checkSize(int64 width, int64 height)
 {
-    const double nodes = double(width + 2) * (height + 2);
+    const double nodes = double(width + 2) * double(height + 2);
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
 }
 

@@ -63,7 +63,7 @@ inline int lengthExponent(float ruler)
 //! How many blocks a number of superpixels must keep, more if their boundary may be irregular.
 inline double fewestBlocks(int num_superpixels, float ruler)
 {
-    return num_superpixels * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
+    return double(num_superpixels) * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
 }
 
 //! The distance that leads in finding regions.
