@@ -15,7 +15,7 @@ if [ $# -eq 0 ]; then
     for threads in 1 2; do
         say "timing with $threads thread(s)"
         "$program" --perf_threads=$threads --perf_min_samples=18 --perf_force_samples=18 \
-            '--gtest_filter=*color*:*rgbd*:*watershed/*:*SLIC/*:*SEEDS*:*ScanSegment*' \
+            '--gtest_filter=*color*:*rgbd*:*watershed/*:*SLIC/*:*SEEDS*:*ScanSegment*:*region_step*' \
             "--gtest_output=xml:$place/results/perf$threads.xml" >"$place/results/perf$threads.log" 2>&1 ||
             fail "$program ended with an error; see $place/results/perf$threads.log"
     done
@@ -53,6 +53,10 @@ def peer(times, name, size):
     return times.get(("Perf_GWatershed_peer_" + name, name, size))
 
 
+def step(times, name, size):
+    return times.get(("Perf_GWatershed_region_step_" + name, name, size))
+
+
 def print_row(name, values, form="%.2f"):
     print("%-52s" % name + "".join("%12s" % (form % v if v is not None else "-") for v in values))
 
@@ -73,11 +77,16 @@ plain = [ours(one, "GWATERSHED", s) for s in SIZES]
 print("%-52s" % "" + "".join("%12s" % s for s in SIZES))
 print_row("RGWATERSHED, ms, one thread", region_guided)
 print_row("RGWATERSHED, ns per pixel", [t and 1e6 * t / pixels(s) for t, s in zip(region_guided, SIZES)], "%.1f")
+for name in "features", "markers", "flood", "sweep_of_blocks", "merging", "labels_of_pixels", "sweep_of_pixels":
+    print_row("  one of its steps: %s, ms" % name, [step(one, name, s) for s in SIZES])
 for name in "SLIC", "SEEDS", "ScanSegment", "watershed":
     print_row("%s over RGWATERSHED" % name, [ratio(peer(one, name, s), t) for t, s in zip(region_guided, SIZES)])
+print_row("GWATERSHED, ms, one thread", plain)
 print_row("watershed over GWATERSHED", [ratio(peer(one, "watershed", s), t) for t, s in zip(plain, SIZES)])
 print_row("RGWATERSHED, two threads: times as fast",
           [ratio(t, ours(two, "RGWATERSHED", s)) for t, s in zip(region_guided, SIZES)])
+print_row("GWATERSHED, two threads: times as fast",
+          [ratio(t, ours(two, "GWATERSHED", s)) for t, s in zip(plain, SIZES)])
 second = [iterations(one, 2, s) for s in SIZES]
 fourth = [iterations(one, 4, s) for s in SIZES]
 print_row("a second iteration, of the first",

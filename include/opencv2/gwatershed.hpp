@@ -89,9 +89,9 @@ depth as a gray image.
 **Errors.** A wrong argument throws cv::Exception before anything is changed, and the object stays
 usable. The images given are never written to.
 
-**Threads.** Most loops over pixels run under cv::parallel_for_; the floods, the merging and the moves
-of boundary pixels run on the calling thread. Different objects can be used in different threads at the
-same time; one object can not, except for its const methods.
+**Threads.** Loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
+cv::parallel_for_; merging and the flood of GWATERSHED run on the calling thread. Different objects can be
+used in different threads at the same time; one object can not, except for its const methods.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws and changes
 nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
