@@ -95,10 +95,13 @@ public:
                  "min_element_size must be in [0, 100] percent");
         if (num_labels_ == 0)
             return;
-        const int64 whole = int64(100) * num_labels_;
-        const int64 min_area = (int64(countNonZero(labels_ >= 0)) * min_element_size + whole - 1) / whole;
         const int before = num_labels_;
-        guardMemory([&]() { num_labels_ = gws::mergeSmallRegions(num_labels_, int(min_area), labels_); });
+        guardMemory([&]()
+        {
+            const int64 whole = int64(100) * num_labels_;
+            const int64 min_area = (int64(countNonZero(labels_ >= 0)) * min_element_size + whole - 1) / whole;
+            num_labels_ = gws::mergeSmallRegions(num_labels_, int(min_area), labels_);
+        });
         if (num_labels_ < before)
             hierarchy_ = gws::MergeHierarchy();
     }
