@@ -46,10 +46,14 @@ void VariationGuard::move(Point p, int from, int to)
     areas_[to]++;
 }
 
+//! The means are taken in steps of 2^-17, so that squared distances to them are exact in doubles: the same whether or
+//! not a compiler fuses products with sums, also where a pixel lies half way between two means.
 void VariationGuard::update()
 {
+    const double STEPS = 1 << 17;
     for (size_t i = 0; i < sums_.size(); i++)
-        means_[i] = sums_[i] / areas_[i];
+        for (int k = 0; k < 3; k++)
+            means_[i][k] = cvRound(STEPS * sums_[i][k] / areas_[i]) / STEPS;
 }
 
 }}} // namespace
