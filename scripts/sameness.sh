@@ -11,19 +11,19 @@ place=$cache/sameness
 passed=0
 failed=0
 
-# Builds the module alone.
+# Builds the module alone. It is not called as the one of scripts/test.sh, which is on the path, too.
 build_module() { # NAME COMPILER FLAGS INCLUDES...
-    say "building with $2 $3"
+    say "building the module, $1"
     mkdir -p "$place/$1"
     (cd "$place/$1" && printf '%s\0' "$root"/src/*.cpp |
         xargs -0 -n 1 -P "$(nproc)" "$2" -std=c++11 -fPIC $3 -I"$root/include" "${@:4}" -c &&
-        "$2" -shared *.o -o libopencv_gwatershed.so) || fail "the build failed"
+        "$2" -shared *.o -o libgwatershed.so) || fail "the build failed"
 }
 
 # Builds the program, once for each OpenCV: all modules for that are loaded by the same one.
 build_program() { # NAME MODULE FLAGS...
     g++ -std=c++11 -O2 -fopenmp -I"$root/include" "$root"/misc/checks/{sameness,images}.cpp -o "$place/$1" \
-        "${@:3}" -L"$place/$2" -Wl,--no-as-needed -lopencv_gwatershed -lopencv_imgproc -lopencv_core
+        "${@:3}" -L"$place/$2" -Wl,--no-as-needed -lgwatershed -lopencv_imgproc -lopencv_core
 }
 
 # Compares the table of one way with that of the first. A case that was not reached differs.

@@ -212,14 +212,15 @@ TEST_P(ximgproc_GWatershed_faults, merging_can_be_repeated)
             const Ptr<SuperpixelGWatershed> whole = make();
             merges[i](*whole);
             const Mat merged = labelsOf(whole), next = stream.labelsOfFresh(set, 1);
-            failEverywhere(get<1>(GetParam()), OF_OPENCV, make, merges[i], [&](const Ptr<SuperpixelGWatershed>& gws, bool failed)
-            {
-                if (failed)
-                    merges[i](*gws);
-                EXPECT_TRUE(equalMats(merged, labelsOf(gws)));
-                stream.iterate(*gws, 1);
-                EXPECT_TRUE(equalMats(next, labelsOf(gws)));
-            });
+            failEverywhere(get<1>(GetParam()), OF_OPENCV, make, merges[i],
+                [&](const Ptr<SuperpixelGWatershed>& gws, bool failed)
+                {
+                    if (failed)
+                        merges[i](*gws);
+                    EXPECT_TRUE(equalMats(merged, labelsOf(gws)));
+                    stream.iterate(*gws, 1);
+                    EXPECT_TRUE(equalMats(next, labelsOf(gws)));
+                });
         }
 }
 

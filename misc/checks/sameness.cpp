@@ -95,9 +95,9 @@ static unsigned long long hashTie(uint64 seed)
 
 static unsigned long long hashCase(int number)
 {
-    const Size sizes[] = { Size(1, 1), Size(300, 1), Size(1, 170), Size(2, 2), Size(17, 13), Size(64, 48), Size(131, 97),
-                           Size(131, 97), Size(98, 150), Size(160, 120), Size(160, 120), Size(239, 181),
-                           Size(61, 401), Size(333, 222) };
+    const Size sizes[] = { Size(1, 1), Size(300, 1), Size(1, 170), Size(2, 2), Size(17, 13), Size(64, 48),
+                           Size(131, 97), Size(131, 97), Size(98, 150), Size(160, 120), Size(160, 120),
+                           Size(239, 181), Size(61, 401), Size(333, 222) };
     const int depths[] = { CV_8U, CV_8U, CV_16U, CV_32F }, channels[] = { 1, 3, 3, 4 };
     Numbers numbers(number);
     const Size size = numbers.from(sizes);
@@ -112,7 +112,8 @@ static unsigned long long hashCase(int number)
     const int frames = gws->getTemporal() ? 5 : 1;
     for (int frame = 0; frame < frames; frame++)
     {
-        const Mat image = makeImage(scene, frame, type), depth = with_depth ? makeDepth(scene, frame, depth_type) : Mat();
+        const Mat image = makeImage(scene, frame, type);
+        const Mat depth = with_depth ? makeDepth(scene, frame, depth_type) : Mat();
         if (with_depth)
             gws->iterate(image, depth, iterations);
         else
