@@ -7,9 +7,8 @@
 
 #include "region.hpp"
 
-#include <opencv2/core/utils/tls.hpp>
-
 #include <functional>
+#include <list>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -84,7 +83,7 @@ struct SweepBuffers
 
     std::vector<std::vector<Move> > moves, last_moves; //!< of this sweep and of the one before, by bands
     std::vector<uchar> marks;                          //!< by pixel
-    Ptr<TLSData<BoundaryList> > lists = makePtr<TLSData<BoundaryList> >(); //!< one for each thread
+    std::list<BoundaryList> lists; //!< that no thread uses
 
     //! Whether any pixel moved in the last sweep.
     bool moved() const;

@@ -155,6 +155,31 @@ static void moveEverySecond(int first, BoundarySweep& sweep, std::vector<std::ve
     });
 }
 
+//! A list for one thread; the next one that needs a list gets it, with its memory.
+//! @note cv::TLSData cannot be used: its destructor allocates, and ends the program where there is no memory.
+class BorrowedList
+{
+public:
+    BorrowedList(std::list<BoundaryList>& lists, Mutex& mutex) : lists_(lists), mutex_(mutex)
+    {
+        AutoLock lock(mutex_);
+        if (lists_.empty())
+            lists_.emplace_back();
+        list_.splice(list_.begin(), lists_, lists_.begin());
+    }
+    ~BorrowedList()
+    {
+        AutoLock lock(mutex_);
+        lists_.splice(lists_.begin(), list_);
+    }
+    BoundaryList& get() { return list_.front(); }
+
+private:
+    std::list<BoundaryList>& lists_;
+    Mutex& mutex_;
+    std::list<BoundaryList> list_;
+};
+
 //! Means are those of the beginning of the sweep.
 void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
                    VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
@@ -166,9 +191,11 @@ void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distan
     moves.swap(buffers.last_moves);
     moves.resize((height + BAND_HEIGHT - 1) / BAND_HEIGHT);
     BoundarySweep sweep(features, distance, length_price, guard, labels, regions);
+    Mutex mutex;
     parallel_for_(Range(0, int(moves.size())), [&](const Range& range)
     {
-        BoundaryList& boundary = buffers.lists->getRef();
+        BorrowedList borrowed(buffers.lists, mutex);
+        BoundaryList& boundary = borrowed.get();
         for (int i = range.start; i < range.end; i++)
         {
             boundary.pixels.clear();
