@@ -27,9 +27,8 @@ MaskTable::MaskTable()
 {
     for (int mask = 0; mask < 256; mask++)
     {
-        int pieces = 0;
-        int four = 0;
-        agreement_[mask] = first_[mask] = last_[mask] = 0;
+        int agreement = 0, four = 0, pieces = 0;
+        first_[mask] = last_[mask] = 0;
         for (int k = 7; k >= 0; k--)
             first_[mask] = (mask >> k) & 1 ? uchar(k) : first_[mask];
         for (int k = 0; k < 8; k++)
@@ -37,11 +36,12 @@ MaskTable::MaskTable()
             last_[mask] = (mask >> k) & 1 ? uchar(k) : last_[mask];
             const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1;
             const bool before = (mask >> ((k + 6) & 7)) & 1;
-            agreement_[mask] += here ? 1 + (k & 1) : 0;
-            // A 4-neighbour begins a piece unless the one before it reaches it over the corner.
+            agreement += here ? 1 + (k & 1) : 0;
             four += (k & 1) && here;
+            // A 4-neighbour begins a piece unless the one before it reaches it over the corner.
             pieces += (k & 1) && here && !(corner && before);
         }
+        agreement_[mask] = uchar(agreement);
         is_tip_[mask] = four == 1;
         can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
         for (int pixel = 0; pixel < 4; pixel++)

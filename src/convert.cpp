@@ -70,9 +70,9 @@ template <typename T> static DepthRange findRange(const Mat& depth)
     }
     if (!sample.empty())
     {
-        const size_t rank = sample.size() / 100;
+        const ptrdiff_t rank = ptrdiff_t(sample.size() / 100);
         std::nth_element(sample.begin(), sample.begin() + rank, sample.end());
-        const float first = sample[rank];
+        const float first = *(sample.begin() + rank);
         std::nth_element(sample.begin(), sample.end() - 1 - rank, sample.end());
         const DepthRange range = { first, *(sample.end() - 1 - rank) };
         if (range.first < range.last)

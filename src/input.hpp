@@ -15,15 +15,15 @@ void checkIterations(int num_iterations);
 void checkSize(int64 width, int64 height);
 
 //! An image that can be segmented.
-Mat checkImage(InputArray image);
+Mat checkImage(InputArray input);
 //! The depth of an image of a size.
-Mat checkDepth(InputArray depth, Size size);
+Mat checkDepth(InputArray input, Size size);
 //! An image to measure, of any depth and number of channels; may be empty.
-Mat checkValues(InputArray image, Size size);
+Mat checkValues(InputArray input, Size size);
 //! CV_8UC1; may be empty.
-Mat checkMask(InputArray mask);
+Mat checkMask(InputArray input);
 //! CV_32SC1; may be empty.
-Mat checkMarkers(InputArray markers);
+Mat checkMarkers(InputArray input);
 
 }}} // namespace
 

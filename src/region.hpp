@@ -45,8 +45,8 @@ struct RegionSum
     void add(const Feature& f, int times = 1)
     {
         for (int k = 0; k < 3; k++)
-            color[k] += times * f.color[k];
-        depth += times * f.depth;
+            color[k] += int64(times) * f.color[k];
+        depth += int64(times) * f.depth;
         depth_area += f.depth ? times : 0;
         area += times;
     }

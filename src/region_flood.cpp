@@ -127,8 +127,11 @@ private:
         const int index = labels_.index(node);
         for (int k = 0; k < 4; k++)
         {
-            const int to = index + neighbors_[k], label = labels_.data()[to];
-            if (label >= 0 || label == OUTSIDE || label == OFFERED - i || to < first_node_ || to >= end_node_)
+            const int to = index + neighbors_[k];
+            if (to < first_node_ || to >= end_node_)
+                continue; // where another thread may be writing
+            const int label = labels_.data()[to];
+            if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
                 continue;
             const Point neighbor(node.x + (k == 2) - (k == 0), node.y + (k == 3) - (k == 1));
             const int height = std::max(heightOf(to, i, neighbor - centers_[i]), queue_.height());

@@ -63,19 +63,28 @@ int RegionGraph::find(int a, int b) const
     return NONE;
 }
 
-void RegionGraph::addToTable(int boundary)
+void RegionGraph::fillSlot(int boundary)
 {
     size_t slot = slotOf(boundaries_[boundary].regions[0], boundaries_[boundary].regions[1]);
     while (table_[slot] != NONE)
         slot = (slot + 1) & (table_.size() - 1);
     table_[slot] = boundary;
-    if (++num_filled_ <= table_.size() / 2)
+    num_filled_++;
+}
+
+//! Half of the slots stay free.
+void RegionGraph::addToTable(int boundary)
+{
+    if (2 * num_filled_ < table_.size())
+    {
+        fillSlot(boundary);
         return;
+    }
     table_.assign(2 * table_.size(), int(NONE));
     num_filled_ = 0;
-    for (size_t i = 0; i < boundaries_.size(); i++)
+    for (size_t i = 0; i < boundaries_.size(); i++) // this one, too
         if (boundaries_[i].exists())
-            addToTable(int(i));
+            fillSlot(int(i));
 }
 
 void RegionGraph::add(int a, int b, int length, int64 height)

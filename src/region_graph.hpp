@@ -56,6 +56,7 @@ private:
     int skipGone(int region, int& link);
     int find(int a, int b) const;
     void addToTable(int boundary);
+    void fillSlot(int boundary);
     size_t slotOf(int a, int b) const;
 
     std::vector<Boundary> boundaries_;

@@ -103,7 +103,7 @@ struct LineBuffers
 };
 
 //! Gives every node without a label to a neighbour. (lines.cpp)
-CV_EXPORTS void absorbLines(int alpha, NodeMap& nodes, LineBuffers& buffers);
+CV_EXPORTS void absorbLines(int alpha, NodeMap& map, LineBuffers& buffers);
 
 //! CV_32SC1 labels 0..N-1, -1 where a node has none. (labels.cpp)
 CV_EXPORTS void extractLabels(NodeMap& nodes, Mat& labels);
