@@ -53,6 +53,7 @@ cases=$(wc -l <"$place/tables/first")
 say "$cases cases; the first table is of g++ -O3, Debian's OpenCV, one thread"
 
 say "threads and back ends"
+export OMP_WAIT_POLICY=passive # there may be more threads than processors
 pthreads=$cache/4.6.0/build/lib
 [ -d "$pthreads" ] || say "OpenCV 4.6.0 is not in the cache: pthreads are left out"
 for threads in 1 2 3 8; do
