@@ -12,8 +12,9 @@ bool HeightQueues::take(std::vector<int>& batch)
         return false;
     while (!((used_[height_ >> 6] >> (height_ & 63)) & 1))
         height_ = (height_ + 1) & 255;
-    batch.clear();
-    batch.swap(queues_[height_]);
+    // A copy: memory that is handed on would be that of the largest batch in every queue in the end.
+    batch.assign(queues_[height_].begin(), queues_[height_].end());
+    queues_[height_].clear();
     used_[height_ >> 6] &= ~(uint64(1) << (height_ & 63));
     return true;
 }

@@ -87,7 +87,8 @@ changes nothing. See setDepthRange() and setAlpha(). For depth alone set alpha t
 depth as a gray image.
 
 **Errors.** A wrong argument throws cv::Exception before anything is changed, and the object stays
-usable. The images given are never written to.
+usable. So it does where memory runs out, which throws cv::Exception with Error::StsNoMem, or std::bad_alloc
+where OpenCV makes a matrix. The images given are never written to.
 
 **Threads.** Loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
 cv::parallel_for_; merging and the flood of GWATERSHED run on the calling thread. Different objects can be
