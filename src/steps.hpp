@@ -60,16 +60,18 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, NodeMap& nodes);
 void labelMarkers(const Mat& markers, NodeMap& nodes);
 
-//! The 256 queues of Algorithm 1, first in first out each. (flood.cpp)
+//! The 256 queues of Algorithm 1, first in first out each, as chains of chunks. (flood.cpp)
 class CV_EXPORTS HeightQueues
 {
 public:
+    HeightQueues() { clear(); }
     void clear();
 
     void push(int node, int height)
     {
-        queues_[height].push_back(node);
-        used_[height >> 6] |= uint64(1) << (height & 63);
+        if (ends_[height] % CHUNK == 0)
+            appendChunk(height);
+        nodes_[ends_[height]++] = node;
     }
 
     //! Takes all nodes from the queue at the current height; if that is empty, from the next one that
@@ -77,9 +79,17 @@ public:
     bool take(std::vector<int>& batch);
 
 private:
-    int height_ = 0;
-    uint64 used_[4] = {}; // a bit for each height whose queue is not empty
-    std::vector<int> queues_[256];
+    enum { CHUNK = 64, NONE = -1 };
+
+    void appendChunk(int height);
+
+    std::vector<int> nodes_; // those of chunk i from i * CHUNK on
+    std::vector<int> next_;  // chunk in the chain, for each chunk
+    int free_;               // first of the chain of those that no queue has
+    int height_;
+    uint64 used_[4]; // a bit for each height whose queue is not empty
+    int first_[256]; // chunk of each queue that is not empty
+    int ends_[256];  // behind its last node, in nodes_; 0 if it is empty
 };
 
 //! Buffers of the flood.
