@@ -5,22 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 place=$cache/check
-passed=0
-failed=0
-
-# Runs a command as one check; its output is a log, of which the end is shown if it fails.
-check() { # NAME COMMAND...
-    local name=$1 log=$place/${1// /-}.log
-    shift
-    if "$@" >"$log" 2>&1; then
-        echo "  ok      $name"
-        passed=$((passed + 1))
-    else
-        tail -n 40 "$log"
-        echo "  FAILED  $name; log: $log"
-        failed=$((failed + 1))
-    fi
-}
+logs=$place/logs
 
 build() { # FOLDER TARGET COMPILER FLAGS
     cmake -S "$root/misc/fuzz" -B "$place/$1" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_CXX_FLAGS=$4" >/dev/null &&
@@ -54,7 +39,7 @@ tidy() { # FOLDER OF A BUILD
 
 need_packages cmake make g++ clang-14 clang-tidy-14 libclang-rt-14-dev valgrind libopencv-dev
 rm -rf "$place"
-mkdir -p "$place"
+mkdir -p "$logs"
 # Without this option the search for leaks of clang 14 breaks down where threads have ended.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 
@@ -63,9 +48,8 @@ check "addresses and undefined behaviour" \
     sanitize addresses "-fsanitize=address,undefined -fno-sanitize-recover=all" 200
 check "threads" sanitize threads -fsanitize=thread 100
 check "valgrind" run_valgrind memory 40 400
-check "no warning of clang" no_warning_in "$place/addresses-and-undefined-behaviour.log"
+check "no warning of clang" no_warning_in "$logs/addresses-and-undefined-behaviour.log"
 check "no warning of g++" warn g++ g++ -O2
 check "clang-tidy" tidy addresses
 
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

@@ -6,6 +6,33 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/gwatershed
 say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
+# For scripts whose last line is "N passed, N failed".
+passed=0
+failed=0
+count() { # PASSED FAILED
+    passed=$((passed + $1))
+    failed=$((failed + $2))
+}
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" = 0 ]
+}
+
+# Runs a command as one check. Its output becomes the file $log in the folder $logs; the end is shown if it fails.
+check() { # NAME COMMAND...
+    local name=$1
+    log=$logs/${1//[ \/]/-}.log
+    shift
+    if "$@" >"$log" 2>&1; then
+        echo "  ok      $name"
+        count 1 0
+    else
+        tail -n 40 "$log"
+        echo "  FAILED  $name; log: $log"
+        count 0 1
+    fi
+}
+
 as_root() {
     if [ "$(id -u)" = 0 ]; then
         DEBIAN_FRONTEND=noninteractive "$@"

@@ -23,9 +23,9 @@ ninja -C "$build" opencv_test_java >"$log" 2>&1 || { tail -n 60 "$log"; fail "th
 cd "$build/java_test"
 rm -rf testResults
 ant -Dopencv.build.type=Release -Dopencv.test.package=gwatershed buildAndTest >"$log" 2>&1 || true
-read -r tests failed < <(grep -o 'Tests run: .*' "$log" | tr -dc '0-9 \n' |
-    awk '{ tests += $1; failed += $2 + $3 } END { print tests + 0, failed + 0 }')
-[ "$tests" -gt 0 ] || { tail -n 40 "$log"; failed=1 tests=1; }
+read -r tests failures < <(grep -o 'Tests run: .*' "$log" | tr -dc '0-9 \n' |
+    awk '{ tests += $1; failures += $2 + $3 } END { print tests + 0, failures + 0 }')
+[ "$tests" -gt 0 ] || { tail -n 40 "$log"; failures=1 tests=1; }
 grep -E 'FAILED|Caused an ERROR' "$log" || true
-echo "$((tests - failed)) passed, $failed failed"
-[ "$failed" = 0 ]
+count $((tests - failures)) "$failures"
+finish

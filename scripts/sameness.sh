@@ -8,8 +8,6 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 place=$cache/sameness
-passed=0
-failed=0
 
 # Builds the module alone. It is not called as the one of scripts/test.sh, which is on the path, too.
 build_module() { # NAME COMPILER FLAGS INCLUDES...
@@ -34,10 +32,10 @@ compare() { # NAME LIBRARIES PROGRAM ARGUMENTS...
     differ=$(diff "$place/tables/first" "$table" | grep -c '^<' || true)
     if [ "$differ" = 0 ]; then
         echo "  ok      $name"
-        passed=$((passed + 1))
+        count 1 0
     else
         echo "  FAILED  $name: $differ of $cases cases differ; see $table"
-        failed=$((failed + 1))
+        count 0 1
     fi
 }
 
@@ -92,5 +90,4 @@ else
     say "OpenCV 4.10.0 is not in the cache: it is left out"
 fi
 
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

@@ -1,20 +1,17 @@
 #!/usr/bin/env bash
 # Builds the module alone against Debian's OpenCV, measures its memory, and tries it on the largest images, without
 # enough memory, and on a stream of changing frames (misc/checks/scale.cpp):
-#   scripts/scale.sh [SIDE [SECONDS]]   side of the largest image, 20000, which takes 11 GB, and processor time for the
-#                                       stream, 60
+#   scripts/scale.sh [SIDE [FRAMES]]   side of the largest image, 20000, and length of the stream, 6000: a minute
+# It takes 11 GB of memory.
 # The last line is "N passed, N failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 need_packages cmake g++ make libopencv-dev pkg-config
-build=$cache/scale-build
-mkdir -p "$build"
-rm -f "$build/CMakeCache.txt" # of a clone elsewhere
-{ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release &&
-  cmake --build "$build" --target opencv_gwatershed --parallel "$(nproc)"; } >"$build/build.log" 2>&1 ||
-    { tail -n 40 "$build/build.log"; fail "the build failed"; }
+place=$cache/scale
+mkdir -p "$place"
+build_alone
 read -ra flags < <(pkg-config --cflags opencv4)
-g++ -std=c++11 -O2 -I"$root/include" "${flags[@]}" "$root"/misc/checks/{scale,images}.cpp -o "$build/scale" \
-    -L"$build" -lopencv_gwatershed -lopencv_core
-LD_LIBRARY_PATH=$build "$build/scale" --side="${1:-20000}" --soak="${2:-60}" 2>"$build/errors.log"
+g++ -std=c++11 -O2 -I"$root/include" "${flags[@]}" "$root"/misc/checks/{scale,images}.cpp -o "$place/scale" \
+    -L"$alone" -lopencv_gwatershed -lopencv_core
+LD_LIBRARY_PATH=$alone "$place/scale" --side="${1:-20000}" --soak="${2:-6000}" 2>"$place/errors.log"

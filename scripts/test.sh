@@ -68,27 +68,6 @@ configure() {
         -DBUILD_JAVA=OFF "${lean[@]}"
 }
 
-passed=0
-failed=0
-count() { # PASSED FAILED
-    passed=$((passed + $1))
-    failed=$((failed + $2))
-}
-
-# Runs a command as one check.
-check() { # NAME COMMAND...
-    local name=$1
-    shift
-    if "$@" >"$results/check.log" 2>&1; then
-        echo "  ok      $name"
-        count 1 0
-    else
-        cat "$results/check.log"
-        echo "  FAILED  $name"
-        count 0 1
-    fi
-}
-
 # Runs a program of GoogleTest and counts what its report says; no report is a failure.
 run_gtest() { # NAME PROGRAM ARGUMENTS...
     local name=$1 xml=$results/$1.xml tests failures
@@ -227,7 +206,7 @@ run_installed() {
     for document in README.md CONTRIBUTING.md doc/gwatershed.markdown; do
         folder=$results/blocks/$document
         check "$document: code blocks" "$root/scripts/code_blocks.py" "$root/$document" "$folder"
-        sed 's/^/          /' "$results/check.log"
+        sed 's/^/          /' "$log"
         [ ! -f "$folder/superpixels.cpp" ] || check "$document: C++ in a project of its own" user_project "$folder"
         [ ! -f "$folder/superpixels.py" ] || check "$document: Python" \
             env "PYTHONPATH=$build/lib/python3" /usr/bin/python3 "$folder/superpixels.py"
@@ -248,7 +227,8 @@ need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g
 [ -d "$source_dir" ] || fetch_source
 results=$place/results
 rm -rf "$results"
-mkdir -p "$results"
+logs=$results/checks
+mkdir -p "$logs"
 
 say "building OpenCV in $build (the first time takes about ten minutes on two cores)"
 configure >"$results/configure.log" 2>&1 || { tail -n 40 "$results/configure.log"; fail "cmake failed"; }
@@ -264,5 +244,4 @@ run_python_test
 run_samples
 run_installed
 
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish
