@@ -85,59 +85,26 @@ private:
     gws::MergeBuffers merge_buffers_;
 };
 
-typedef void (RegionSteps::*RegionStep)();
+enum { FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_PIXELS, SWEEP_OF_PIXELS };
 
-class Perf_GWatershed_region_step : public PicturesTest<Size>
+CV_ENUM(RegionStep, FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_PIXELS, SWEEP_OF_PIXELS)
+
+typedef PicturesTest<tuple<RegionStep, Size> > Perf_GWatershed_region_step;
+
+//! One of the steps, after those before it.
+PERF_TEST_P(Perf_GWatershed_region_step, region_step, testing::Combine(RegionStep::all(), GWATERSHED_PERF_SIZES))
 {
-protected:
-    //! Times one of the steps after those before it.
-    void timeStep(RegionStep step)
+    typedef void (RegionSteps::*Call)();
+    const Call calls[] = { &RegionSteps::makeFeatures, &RegionSteps::placeMarkers, &RegionSteps::flood,
+                           &RegionSteps::sweepBlocks, &RegionSteps::merge, &RegionSteps::labelPixels,
+                           &RegionSteps::sweepPixels };
+    const int step = get<0>(GetParam());
+    RegionSteps steps(get<1>(GetParam()));
+    timeOver(steps.pictures, [&]()
     {
-        const RegionStep STEPS[] = { &RegionSteps::makeFeatures, &RegionSteps::placeMarkers, &RegionSteps::flood,
-                                     &RegionSteps::sweepBlocks, &RegionSteps::merge, &RegionSteps::labelPixels,
-                                     &RegionSteps::sweepPixels };
-        RegionSteps steps(GetParam());
-        timeOver(steps.pictures, [&]()
-        {
-            for (int i = 0; STEPS[i] != step; i++)
-                (steps.*STEPS[i])();
-        }, [&]() { (steps.*step)(); });
-    }
-};
-
-PERF_TEST_P(Perf_GWatershed_region_step, features, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::makeFeatures);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, markers, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::placeMarkers);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, flood, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::flood);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, sweep_of_blocks, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::sweepBlocks);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, merging, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::merge);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, labels_of_pixels, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::labelPixels);
-}
-
-PERF_TEST_P(Perf_GWatershed_region_step, sweep_of_pixels, GWATERSHED_PERF_SIZES)
-{
-    timeStep(&RegionSteps::sweepPixels);
+        for (int i = 0; i < step; i++)
+            (steps.*calls[i])();
+    }, [&]() { (steps.*calls[step])(); });
 }
 
 }} // namespace

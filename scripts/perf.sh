@@ -55,7 +55,7 @@ def peer(times, name, size):
 
 
 def step(times, name, size):
-    return times.get(("Perf_GWatershed_region_step_" + name, name, size))
+    return times.get(("Perf_GWatershed_region_step_region_step", "region_step", "%s, %s" % (name, size)))
 
 
 def print_row(name, values, form="%.2f"):
@@ -78,8 +78,9 @@ plain = [ours(one, "GWATERSHED", s) for s in SIZES]
 print("%-52s" % "" + "".join("%12s" % s for s in SIZES))
 print_row("RGWATERSHED, ms, one thread", region_guided)
 print_row("RGWATERSHED, ns per pixel", [t and 1e6 * t / pixels(s) for t, s in zip(region_guided, SIZES)], "%.1f")
-for name in "features", "markers", "flood", "sweep_of_blocks", "merging", "labels_of_pixels", "sweep_of_pixels":
-    print_row("  one of its steps: %s, ms" % name, [step(one, name, s) for s in SIZES])
+for name in ("FEATURES", "MARKERS", "FLOOD", "SWEEP_OF_BLOCKS", "MERGING", "LABELS_OF_PIXELS",
+             "SWEEP_OF_PIXELS"):
+    print_row("  one of its steps: %s, ms" % name.lower(), [step(one, name, s) for s in SIZES])
 for name in "SLIC", "SEEDS", "ScanSegment", "watershed":
     print_row("%s over RGWATERSHED" % name, [ratio(peer(one, name, s), t) for t, s in zip(region_guided, SIZES)])
 print_row("GWATERSHED, ms, one thread", plain)
