@@ -17,10 +17,12 @@ void checkSize(int64 width, int64 height)
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
 }
 
-//! The header of a matrix that is not empty.
+//! The header of a matrix.
 static Mat takeMatrix(InputArray input, const char* name)
 {
-    if (input.isMatVector() || input.isUMatVector())
+    const int kind = input.kind();
+    if (input.isMatVector() || input.isUMatVector() || kind == _InputArray::STD_ARRAY_MAT ||
+        kind == _InputArray::STD_VECTOR_VECTOR)
         CV_Error_(Error::StsBadArg, ("%s must be one Mat or UMat", name));
     const Mat matrix = input.getMat();
     if (matrix.dims != 2)
@@ -30,7 +32,8 @@ static Mat takeMatrix(InputArray input, const char* name)
 
 Mat checkImage(InputArray input)
 {
-    CV_Assert(!input.empty() && "image must not be empty");
+    if (input.empty())
+        CV_Error(Error::StsBadArg, "image must not be empty");
     const Mat image = takeMatrix(input, "image");
     CV_Check(image.depth(), image.depth() == CV_8U || image.depth() == CV_16U || image.depth() == CV_32F,
              "image must be CV_8U, CV_16U or CV_32F");
@@ -42,7 +45,8 @@ Mat checkImage(InputArray input)
 
 Mat checkDepth(InputArray input, Size size)
 {
-    CV_Assert(!input.empty() && "depth must not be empty; call iterate(image) where there is none");
+    if (input.empty())
+        CV_Error(Error::StsBadArg, "depth must not be empty; call iterate(image) where there is none");
     const Mat depth = takeMatrix(input, "depth");
     CV_CheckType(depth.type(), depth.type() == CV_8UC1 || depth.type() == CV_16UC1 || depth.type() == CV_32FC1,
                  "depth must be CV_8UC1, CV_16UC1 or CV_32FC1");

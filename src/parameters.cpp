@@ -76,11 +76,19 @@ template <typename T> static T readValue(const FileNode& fn, const char* name)
     return static_cast<T>(node);
 }
 
+static int readInteger(const FileNode& fn, const char* name)
+{
+    const double value = readValue<double>(fn, name);
+    if (value != std::floor(value) || std::abs(value) > INT_MAX)
+        CV_Error_(Error::StsParseError, ("read: %s must be an integer", name));
+    return int(value);
+}
+
 Parameters Parameters::read(const FileNode& fn)
 {
     Parameters parameters;
-    parameters.setAlgorithm(readValue<int>(fn, "algorithm"));
-    const int region_size = readValue<int>(fn, "region_size"), num_superpixels = readValue<int>(fn, "num_superpixels");
+    parameters.setAlgorithm(readInteger(fn, "algorithm"));
+    const int region_size = readInteger(fn, "region_size"), num_superpixels = readInteger(fn, "num_superpixels");
     CV_Check(region_size, (region_size == 0) != (num_superpixels == 0),
              "one of region_size and num_superpixels must be 0, and not the other");
     if (num_superpixels != 0)
@@ -89,8 +97,8 @@ Parameters Parameters::read(const FileNode& fn)
         parameters.setRegionSize(region_size);
     parameters.setRuler(readValue<float>(fn, "ruler"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
-    parameters.uniform_color = readValue<int>(fn, "uniform_color") != 0;
-    parameters.temporal = readValue<int>(fn, "temporal") != 0;
+    parameters.uniform_color = readInteger(fn, "uniform_color") != 0;
+    parameters.temporal = readInteger(fn, "temporal") != 0;
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;

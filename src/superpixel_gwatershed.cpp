@@ -4,6 +4,7 @@
 
 #include "input.hpp"
 #include "merge_hierarchy.hpp"
+#include "output.hpp"
 #include "plain_watershed.hpp"
 #include "region_settings.hpp"
 #include "region_watershed.hpp"
@@ -64,22 +65,24 @@ public:
     void getLabels(OutputArray labels_out) const CV_OVERRIDE
     {
         checkSegmented();
-        labels_.copyTo(labels_out);
+        gws::checkOutput(labels_out, CV_32SC1, isLine(), "labels_out");
+        Mat labels = gws::createOutput(labels_out, labels_.size(), CV_32SC1);
+        labels_.copyTo(labels);
     }
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
         checkSegmented();
-        image.create(labels_.size(), CV_8UC1);
-        Mat mask = image.getMat();
+        gws::checkOutput(image, CV_8UC1, isLine(), "image");
+        Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
         gws::drawContours(labels_, thick_line, mask);
     }
 
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
         checkSegmented();
-        image.create(labels_.size(), CV_8UC1);
-        Mat mask = image.getMat();
+        gws::checkOutput(image, CV_8UC1, isLine(), "image");
+        Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
         mask.setTo(Scalar(0));
         if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
         {
@@ -127,6 +130,10 @@ public:
         checkSegmented();
         const Mat values = gws::checkValues(image, labels_.size());
         const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        checkTable(stats, CV_32SC1, false, "stats");
+        checkTable(centroids, CV_64FC1, false, "centroids");
+        checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
+        checkTable(mean_depths, CV_32FC1, true, "mean_depths");
         guardMemory([&]()
         {
             Mat tables[4];
@@ -143,8 +150,12 @@ public:
     {
         checkSegmented();
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, labels_.size()));
-        CV_Assert((depth.empty() || !image.empty()) && "depth must come with its image");
+        if (image.empty() && !depth.empty())
+            CV_Error(Error::StsBadArg, "depth must be empty where image is");
         const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        checkTable(pairs, CV_32SC1, false, "pairs");
+        checkTable(lengths, CV_32SC1, true, "lengths");
+        checkTable(heights, CV_32FC1, true, "heights");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
@@ -237,14 +248,23 @@ private:
         }
     };
 
+    //! Whether vectors can hold the label map.
+    bool isLine() const { return labels_.rows == 1 || labels_.cols == 1; }
+
+    //! Checks an output that may be left out.
+    static void checkTable(OutputArray output, int type, bool is_line, const char* name)
+    {
+        if (output.needed())
+            gws::checkOutput(output, type, is_line, name);
+    }
+
     //! Copies a table to an output, if that is wanted. Without rows, too, it has its columns and its type.
     static void give(const Mat& table, OutputArray output)
     {
         if (!output.needed())
             return;
-        output.create(table.size(), table.type());
-        if (!table.empty())
-            table.copyTo(output);
+        Mat copy = gws::createOutput(output, table.size(), table.type());
+        table.copyTo(copy);
     }
 
     //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.

@@ -24,6 +24,9 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_images_and_stays_usable)
     EXPECT_REFUSED(gws->iterate(noArray()), "image must not be empty");
     EXPECT_REFUSED(gws->iterate(Mat(3, cube, CV_8UC1, Scalar(0))), "image must have two dimensions");
     EXPECT_REFUSED(gws->iterate(std::vector<Mat>(3, image)), "image must be one Mat");
+    EXPECT_REFUSED(gws->iterate(std::array<Mat, 1>()), "image must be one Mat");
+    EXPECT_REFUSED(gws->iterate(std::vector<std::vector<uchar> >(40, std::vector<uchar>(60))), "image must be one Mat");
+    EXPECT_REFUSED(gws->setMask(std::vector<std::vector<uchar> >(3, std::vector<uchar>(4))), "mask must be one Mat");
     for (int i = 0; i < 6; i++)
     {
         EXPECT_REFUSED(gws->iterate(Mat(40, 60, wrong_types[i])), "image must");
@@ -240,6 +243,15 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
         const FileStorage in_wrong(wrong, FileStorage::READ | FileStorage::MEMORY);
         EXPECT_REFUSED(other->read(in_wrong.root()), "region_size");
     }
+    const String no_integers[] = { "algorithm", "region_size", "num_superpixels", "uniform_color", "temporal" };
+    for (int i = 0; i < 5; i++)
+    {
+        wrong = text;
+        const size_t end = wrong.find('\n', wrong.find(no_integers[i] + ":"));
+        wrong.insert(end, ".25");
+        const FileStorage in_wrong(wrong, FileStorage::READ | FileStorage::MEMORY);
+        EXPECT_REFUSED(other->read(in_wrong.root()), no_integers[i]);
+    }
     EXPECT_EQ(13, other->getRegionSize());
 }
 
@@ -255,7 +267,7 @@ TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_slic)
     cvtColor(frame, converted, COLOR_BGR2HSV);
 
     Ptr<SuperpixelGWatershed> slic =
-            createSuperpixelGWatershed(converted, algorithm + GWATERSHED, region_size, float(ruler));
+            createSuperpixelGWatershed(converted, algorithm + GWATERSHED, region_size, ruler);
     slic->iterate(num_iterations);
     if (min_element_size > 0)
         slic->enforceLabelConnectivity(min_element_size);
@@ -266,6 +278,8 @@ TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_slic)
     expectPartition(labels, frame.size(), slic->getNumberOfSuperpixels());
     labels &= 3;
     labels *= 1 << 14;
+    EXPECT_EQ(10.f, createSuperpixelGWatershed(frame, RGWATERSHED, 20, 10)->getRuler());
+    EXPECT_EQ(2.5f, createSuperpixelGWatershed(frame, GWATERSHED, 20, 2.5)->getRuler());
 }
 
 TEST(ximgproc_SuperpixelGWatershed, runs_code_written_for_seeds)

@@ -7,6 +7,8 @@
 
 #include "opencv2/core.hpp"
 
+#include <type_traits>
+
 /**
 @defgroup gwatershed Superpixels by a marker-controlled watershed on a gradient map
 
@@ -86,12 +88,18 @@ the image. Where depth is missing, colour alone counts. Depth that is missing or
 changes nothing. See setDepthRange() and setAlpha(). For depth alone set alpha to 0, or give the
 depth as a gray image.
 
-**Errors.** A wrong argument throws cv::Exception before anything is changed, and the object stays
+**Errors.** A wrong argument throws cv::Exception, which names it, before anything is changed, and the object stays
 usable. So it does where memory runs out, which throws cv::Exception with Error::StsNoMem, or std::bad_alloc
-where OpenCV makes a matrix. The images given are never written to.
+where OpenCV makes a matrix; after that in iterate() there is no segmentation, and empty() is true. The images given
+are never written to. In Python, None for a number is its default: check what imread() returned, since
+`iterate(None)` is `iterate()`, and `iterate(image, None)` is `iterate(image)`.
 
-**Threads.** Loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
-cv::parallel_for_; merging and the flood of GWATERSHED run on the calling thread. Different objects can be
+**Outputs** are a Mat or UMat, allocated as needed, whatever they were before, or a Mat_ of the type given; what has one
+row or column may also be a std::vector of that type.
+
+**Threads.** Most loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
+cv::parallel_for_; merging, the flood of GWATERSHED, and that of RGWATERSHED with a mask, markers of the user or for
+the parts of a frame that are new run on the calling thread. Different objects can be
 used in different threads at the same time; one object can not, except for its const methods.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws and changes
@@ -101,7 +109,8 @@ segmentation.
 
 **Cost.** Time and memory are linear in the number of pixels; merging adds a few microseconds for each
 superpixel, most of the time where superpixels are smaller than about 10x10 pixels. Buffers of the
-size of the image, and those of the regions, stay from one image to the next.
+size of the image, and those of the regions, stay from one image to the next; a mask, and markers of the user, need
+some more for the time of a call.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -119,13 +128,13 @@ public:
     Each call starts anew with the current parameters, unless setTemporal() says otherwise.
 
     @param num_iterations 1 or more. For RGWATERSHED, each iteration after the first moves boundary
-    pixels where that explains the colours of the image better, so explained variation never falls;
-    its work is proportional to the boundary that still moves. GWATERSHED is one pass: more than 1
-    changes nothing.
+    pixels where that explains the colours of the image better, so explained variation, of the image at 8 bits,
+    never falls; its work is proportional to the boundary that still moves, and ends where none does. From the
+    17th on, depth alone moves no pixel. GWATERSHED is one pass: more than 1 changes nothing.
 
     ![After 1, 2, 4 and 8 iterations](pics/gwatershed_iterations.jpg)
 
-    Throws cv::Exception if the factory was given a size instead of an image.
+    Throws cv::Exception if the factory was given a size instead of an image, and after clear().
     */
     CV_WRAP virtual void iterate(int num_iterations = 1) = 0;
 
@@ -147,7 +156,7 @@ public:
     /** @brief Returns a copy of the label map.
 
     @param labels_out CV_32SC1 map of the size of the image; values in [0, N), -1 outside of a mask and where
-    no marker of the user reaches. It is allocated as needed, whatever it was before.
+    no marker of the user reaches.
 
     Throws cv::Exception before the first iterate().
     */
@@ -250,7 +259,8 @@ public:
 
     @param image Image of the size of the label map, of a type that iterate() takes, for the heights: the one that
     was segmented, or another one. Empty (noArray(), None in Python): no heights.
-    @param depth Depth of that image, with the range and alpha of the last iterate(). Empty: colour alone.
+    @param depth Depth of that image, with the range and alpha of the last iterate(). Empty: colour alone. It must be
+    empty where image is.
     @param pairs M x 2 CV_32SC1: labels a < b of two superpixels with a common boundary, in rows
     sorted by a, then b. Pixels touch if they are 4-neighbours.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
@@ -284,8 +294,8 @@ public:
 
     /** @brief Sets the markers that superpixels grow from, as for cv::watershed.
 
-    N is the number of different positive values, and labels are in the order of the values; the number of
-    superpixels and the region size do not count. Markers keep all of their pixels. They may touch each
+    N is the number of different positive values inside of the mask, and labels are in the order of the values; the
+    number of superpixels and the region size do not count. Markers keep all of their pixels. They may touch each
     other and the border of the image; of a marker in several pieces, the superpixel has as many at most. Pixels
     that no marker reaches, in other components of a mask, have the label -1, and all of them if there
     is no marker. RGWATERSHED floods pixels then, not blocks of them, which takes longer, and the ruler acts where
@@ -421,6 +431,14 @@ CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
         InputArray image, int algorithm = RGWATERSHED, int region_size = 10, float ruler = 10.0f);
+
+//! For a ruler of another type, such as 10: it is a float.
+template <typename Ruler>
+inline typename std::enable_if<std::is_arithmetic<Ruler>::value, Ptr<SuperpixelGWatershed> >::type
+createSuperpixelGWatershed(InputArray image, int algorithm, int region_size, Ruler ruler)
+{
+    return createSuperpixelGWatershed(image, algorithm, region_size, static_cast<float>(ruler));
+}
 
 /** @overload
 @brief Makes an object for an image with depth.

@@ -1,0 +1,78 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// Matrices and vectors that results are given to.
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_output;
+
+static Ptr<SuperpixelGWatershed> segmentNoise(Size size, int algorithm)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(makeImage(NOISE, size, 3, theRNG()), algorithm, 4);
+    gws->iterate();
+    return gws;
+}
+
+TEST_P(ximgproc_GWatershed_output, vectors_take_what_has_one_row_or_column)
+{
+    const Size sizes[] = { Size(1, 300), Size(300, 1), Size(1, 1) };
+    for (int i = 0; i < 3; i++)
+    {
+        const Ptr<SuperpixelGWatershed> gws = segmentNoise(sizes[i], GetParam());
+        Mat contours, lines, stats, centroids, depths;
+        const Mat depth(sizes[i], CV_16UC1, Scalar(700));
+        gws->getLabelContourMask(contours, false);
+        gws->getWatershedLineMask(lines);
+        gws->getStatistics(noArray(), depth, stats, centroids, noArray(), depths);
+        std::vector<int> labels;
+        std::vector<uchar> mask;
+        std::vector<float> mean_depths;
+        gws->getLabels(labels);
+        EXPECT_TRUE(equalMats(labelsOf(gws).reshape(1, 1), Mat(labels).reshape(1, 1)));
+        gws->getLabelContourMask(mask, false);
+        EXPECT_TRUE(equalMats(contours.reshape(1, 1), Mat(mask).reshape(1, 1)));
+        gws->getWatershedLineMask(mask);
+        EXPECT_TRUE(equalMats(lines.reshape(1, 1), Mat(mask).reshape(1, 1)));
+        gws->getStatistics(noArray(), depth, stats, centroids, noArray(), mean_depths);
+        EXPECT_TRUE(equalMats(depths.reshape(1, 1), Mat(mean_depths).reshape(1, 1)));
+    }
+}
+
+TEST_P(ximgproc_GWatershed_output, refuses_what_cannot_hold_a_result_before_anything_is_written)
+{
+    const Size size(40, 30);
+    const Ptr<SuperpixelGWatershed> gws = segmentNoise(size, GetParam());
+    const Mat image(size, CV_8UC3, Scalar(1, 2, 3)), depth(size, CV_16UC1, Scalar(4));
+    Mat_<uchar> bytes;
+    Mat_<float> floats;
+    std::vector<int> labels;
+    std::vector<Mat> mats;
+    EXPECT_REFUSED(gws->getLabels(bytes), "labels_out must be");
+    EXPECT_REFUSED(gws->getLabels(labels), "labels_out must be");
+    EXPECT_REFUSED(gws->getLabels(mats), "labels_out must be");
+    EXPECT_REFUSED(gws->getLabels(noArray()), "labels_out must be");
+    EXPECT_REFUSED(gws->getLabelContourMask(floats), "image must be");
+    EXPECT_REFUSED(gws->getLabelContourMask(noArray()), "image must be");
+    EXPECT_REFUSED(gws->getWatershedLineMask(floats), "image must be");
+    EXPECT_TRUE(bytes.empty() && floats.empty() && labels.empty() && mats.empty());
+
+    Mat tables[4];
+    EXPECT_REFUSED(gws->getStatistics(image, depth, floats, tables[1], tables[2], tables[3]), "stats must be");
+    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], floats, tables[2], tables[3]), "centroids must be");
+    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], bytes, tables[3]), "mean_colors must be");
+    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], tables[2], bytes), "mean_depths must be");
+    EXPECT_REFUSED(gws->getAdjacency(image, depth, bytes, tables[1], tables[2]), "pairs must be");
+    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], bytes, tables[2]), "lengths must be");
+    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], tables[1], bytes), "heights must be");
+    EXPECT_REFUSED(gws->getAdjacency(image, depth, labels, tables[1], tables[2]), "pairs must be");
+    for (int i = 0; i < 4; i++)
+        EXPECT_TRUE(tables[i].empty());
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_output, GWATERSHED_ALGORITHMS);
+
+}} // namespace
