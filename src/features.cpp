@@ -68,12 +68,12 @@ static void makeFeatures(const Mat& color, const Mat& depth, bool uniform_color,
         Feature* to = features.row(y);
         int x = 0;
         for (; x <= cols - STRIDE; x += STRIDE)
-            makeRow(from + x * channels, channels, opponents, depths ? depths + x : 0, to + x);
+            makeRow(from + size_t(x) * channels, channels, opponents, depths ? depths + x : 0, to + x);
         if (x == cols)
             continue;
         uchar last_color[4 * STRIDE] = {}, last_depth[STRIDE] = {};
         Feature last[STRIDE];
-        memcpy(last_color, from + x * channels, (cols - x) * channels);
+        memcpy(last_color, from + size_t(x) * channels, (cols - x) * channels);
         if (depths)
             memcpy(last_depth, depths + x, cols - x);
         makeRow(last_color, channels, opponents, last_depth, last);

@@ -17,16 +17,17 @@ VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int 
         for (int x = 0; x < color.cols;)
         {
             const int label = row[x];
-            int sum[3] = { 0, 0, 0 }, begin = x; // of a run of pixels
+            const int begin = x;
+            int64 sum[3] = { 0, 0, 0 }; // of a run of pixels
             for (; x < color.cols && row[x] == label; x++, pixel += cn)
             {
                 sum[0] += pixel[0];
                 sum[1] += pixel[green];
                 sum[2] += pixel[red];
             }
-            if (label == OUTSIDE)
+            if (label < 0)
                 continue;
-            sums_[label] += Vec3d(sum[0], sum[1], sum[2]);
+            sums_[label] += Vec3d(double(sum[0]), double(sum[1]), double(sum[2]));
             areas_[label] += x - begin;
         }
     }
@@ -36,17 +37,18 @@ VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int 
 Vec3d VariationGuard::colorAt(Point p) const
 {
     const int cn = color_.channels();
-    const uchar* pixel = color_.ptr(p.y) + p.x * cn;
+    const uchar* pixel = color_.ptr(p.y) + size_t(p.x) * cn;
     return cn == 1 ? Vec3d::all(pixel[0]) : Vec3d(pixel[0], pixel[1], pixel[2]);
 }
 
 //! While every move of a sweep goes to a mean that is not farther, by the means at its start, the
 //! sum of squared distances to the means cannot rise, as in k-means: then the means move, and it
-//! falls again. So the explained variation never falls.
+//! falls again. So the explained variation never falls; without ties it rises with every move, so there is a last one.
 bool VariationGuard::permits(Point p, int from, int to) const
 {
     const Vec3d color = colorAt(p), a = color - means_[from], b = color - means_[to];
-    return b.dot(b) <= a.dot(a);
+    const double before = a.dot(a), after = b.dot(b);
+    return permits_ties_ ? after <= before : after < before;
 }
 
 void VariationGuard::move(Point p, int from, int to)

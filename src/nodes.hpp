@@ -31,7 +31,7 @@ enum NodeState
     UNLABELLED = 0,
     LINE = -1,      //!< S_border: a watershed line
     IN_QUEUE = -2,  //!< S_inq
-    FRAME = INT_MIN //!< outside the image
+    FRAME = INT_MIN //!< around the image, and outside of the mask
 };
 
 //! State and pixel lie together, so that a visit touches one cache line for each row of three.

@@ -7,12 +7,12 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Queues of nodes by height, first in first out each. Nothing is pushed below the last pop.
-class HeightQueue
+class RisingQueues
 {
 public:
     enum { HEIGHTS = 1024 };
 
-    explicit HeightQueue(std::vector<FloodBuffers::Entry>& entries) : entries_(entries), free_(NONE), height_(0)
+    explicit RisingQueues(std::vector<FloodBuffers::Entry>& entries) : entries_(entries), free_(NONE), height_(0)
     {
         entries_.clear();
         std::fill_n(first_, int(HEIGHTS), int(NONE));
@@ -65,10 +65,11 @@ private:
     int first_[HEIGHTS], last_[HEIGHTS];
 };
 
-//! Length of a vector within 4 percent, without a root.
-static inline int octagonalLength(Point v)
+//! Length of a vector in 1/16 within 4 percent, without a root.
+static inline int64 octagonalLength(Point v)
 {
-    const int x = std::abs(v.x), y = std::abs(v.y), longer = std::max(x, y), shorter = std::min(x, y);
+    const int64 x = 16 * int64(std::abs(v.x)), y = 16 * int64(std::abs(v.y));
+    const int64 longer = std::max(x, y), shorter = std::min(x, y);
     return longer - (longer >> 5) + ((13 * shorter) >> 5);
 }
 
@@ -146,9 +147,9 @@ private:
     //! In quarters of a level; what is higher than all queues waits in the last one.
     int heightOf(int node, int i, Point offset) const
     {
-        const int64 away = (int64(ruler_) * octagonalLength(offset * 16)) >> 12;
+        const int64 away = (ruler_ * octagonalLength(offset)) >> 12;
         const int64 height = (distance_(features_.data()[node], regions_.means[i]) + away) >> 2;
-        return int(std::min<int64>(height, HeightQueue::HEIGHTS - 1));
+        return int(std::min<int64>(height, RisingQueues::HEIGHTS - 1));
     }
 
     const Padded<Feature>& features_;
@@ -159,7 +160,7 @@ private:
     const int first_node_, end_node_;
     Padded<int>& labels_;
     Regions& regions_;
-    HeightQueue queue_;
+    RisingQueues queue_;
     std::vector<int>& updates_;
     std::vector<ushort>& heights_;
 };

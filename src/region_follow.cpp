@@ -48,7 +48,7 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
     if (change.changed_area == 0)
         return true;
     const RegionDistance flood_distance = floodDistance(parameters.alpha, !frame.depth.empty());
-    const int num_kept = floodAnew(level, change.changed, change.changed_area, change.area, flood_distance,
+    const int num_kept = floodAnew(frame, level, change.changed, change.changed_area, change.area, flood_distance,
                                    parameters.ruler);
     mergeAnew(level, num_kept, change.changed, flood_distance, parameters.ruler);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
@@ -61,8 +61,8 @@ bool RegionWatershed::follow(const Frame& frame, int level, int length_price, co
 //! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. Regions
 //! are numbered anew: those that are left first; names_ are their labels, and those that were where the new ones are.
 //! Returns how many are left.
-int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
-                               const RegionDistance& distance, float ruler)
+int RegionWatershed::floodAnew(const Frame& frame, int level, const std::vector<uchar>& changed, double changed_area,
+                               double area, const RegionDistance& distance, float ruler)
 {
     const Padded<Feature>& features = features_[level];
     const int num_regions = regions_.size();
@@ -83,7 +83,7 @@ int RegionWatershed::floodAnew(int level, const std::vector<uchar>& changed, dou
 
     const double fewest = std::max(double(num_regions - num_kept), changed_area * num_regions / area);
     const int num_markers = int(std::min(changed_area, MARKERS_PER_SUPERPIXEL * fewest));
-    computeGradient(features, distance, gradient_);
+    makeGradient(frame, level, distance);
     compare(map, Scalar(UNSEEN), dissolved_, CMP_EQ);
     placeMarkers(gradient_, dissolved_, num_markers, marker_buffers_, markers_);
     bands_.assign(1, wholeBand(features.size(), markers_));

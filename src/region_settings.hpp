@@ -19,6 +19,7 @@ static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
 static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first
+static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pixel any more: some would go to and fro
 
 // For frames that follow others: sweeps of blocks that move the regions along, and the squared error of a region,
 // for what it was when it was made and for each of its blocks, from which on it has changed.

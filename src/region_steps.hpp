@@ -104,8 +104,10 @@ public:
     //! color is 8-bit with any number of channels; the first three count.
     VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions);
 
-    //! Whether a pixel is as near to the mean colour of the region `to` as to that of `from`.
+    //! Whether a pixel is as near to the mean colour of the region `to` as to that of `from`, or nearer.
     bool permits(Point p, int from, int to) const;
+    //! From here on it must be nearer.
+    void forbidTies() { permits_ties_ = false; }
     void move(Point p, int from, int to);
     //! Takes the means anew.
     void update();
@@ -116,6 +118,7 @@ private:
     Mat color_;
     std::vector<Vec3d> sums_, means_;
     std::vector<int> areas_;
+    bool permits_ties_ = true;
 };
 
 //! One pass over the boundary: the pixels that are listed go to the neighbouring region of the lowest energy, while

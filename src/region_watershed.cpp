@@ -87,6 +87,14 @@ void RegionWatershed::sweepAgain(int count, int level, int length_price, const R
         }, level, length_price, distance, frame, guard);
 }
 
+//! Gradients beside what is outside of the mask are not known.
+void RegionWatershed::makeGradient(const Frame& frame, int level, const RegionDistance& distance)
+{
+    computeGradient(features_[level], distance, gradient_);
+    if (!frame.mask.empty())
+        forgetGradients(masks_.mask(level), gradient_);
+}
+
 //! More regions than asked for, merged to the number asked for: they are small where the image
 //! varies and large where it does not.
 void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters)
@@ -100,10 +108,9 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
     const int num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
     const RegionDistance distance = floodDistance(parameters.alpha, !frame.depth.empty());
 
-    computeGradient(features, distance, gradient_);
+    makeGradient(frame, level, distance);
     if (masked)
     {
-        forgetGradients(mask, gradient_);
         placeMarkers(gradient_, mask, num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), markers_));
     }
@@ -124,7 +131,7 @@ void RegionWatershed::floodAndMerge(const Frame& frame, int level, double side, 
 }
 
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.
-void RegionWatershed::floodFromMarkers(const Frame& frame, const RegionDistance& distance)
+void RegionWatershed::floodFromUserMarkers(const Frame& frame, const RegionDistance& distance)
 {
     clearLabels(frame.color.size(), frame.mask, labels_[0]);
     frame.markers.copyTo(labels_[0].view(CV_32SC1), frame.markers >= 0);
@@ -175,7 +182,7 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
 
     makePyramid(frame.color, frame.depth, parameters.uniform_color, top, features_);
     if (!frame.markers.empty())
-        floodFromMarkers(frame, distance);
+        floodFromUserMarkers(frame, distance);
     else if (!frame.follows || top != top_ || !follow(frame, top, price, parameters))
     {
         floodAndMerge(frame, top, side, parameters);
@@ -198,7 +205,11 @@ int RegionWatershed::run(const Frame& frame, const Parameters& parameters, int n
     {
         VariationGuard guard(frame.color, labels_[0], regions_.size());
         for (int i = 1; i < num_iterations && sweep_buffers_.moved(); i++)
+        {
+            if (i == ITERATIONS_WITH_TIES)
+                guard.forbidTies();
             sweepAgain(SWEEPS_PER_ITERATION, 0, price, distance, frame, &guard);
+        }
     }
     labels_[0].view(CV_32SC1).copyTo(labels);
     return regions_.size();

@@ -29,12 +29,13 @@ public:
 private:
     enum { MAX_LEVEL = 2 }; //!< blocks of 2^level pixels are flooded
 
+    void makeGradient(const Frame& frame, int level, const RegionDistance& distance);
     void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
     bool follow(const Frame& frame, int level, int length_price, const Parameters& parameters);
-    int floodAnew(int level, const std::vector<uchar>& changed, double changed_area, double area,
+    int floodAnew(const Frame& frame, int level, const std::vector<uchar>& changed, double changed_area, double area,
                   const RegionDistance& distance, float ruler);
     void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance, float ruler);
-    void floodFromMarkers(const Frame& frame, const RegionDistance& distance);
+    void floodFromUserMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
     void sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
                const Frame& frame, VariationGuard* guard);
@@ -58,12 +59,13 @@ private:
     std::vector<MarkerBand> bands_;
     Regions regions_;
     int top_ = 0;               // level of the last flood
-    std::vector<int64> errors_; // of the regions there, when each of them was made
 
     // For frames that follow others.
+    std::vector<int64> errors_; // of the regions of the last flood, when each of them was made
     Mat last_map_, dissolved_;
-    MarkerBuffers marker_buffers_;
     std::vector<int> names_, numbers_;
+
+    MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
     SweepBuffers sweep_buffers_;

@@ -80,6 +80,33 @@ TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
     }
 }
 
+TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside_of_frames_that_follow)
+{
+    RNG& rng = theRNG();
+    const Size size(320, 240);
+    Mat mask = Mat::zeros(size, CV_8UC1);
+    circle(mask, Point(160, 120), 100, Scalar(255), FILLED);
+    for (int i = 0; i < 8; i++)
+    {
+        const Mat first = makeScene(size, rng);
+        Mat next = first.clone();
+        circle(next, Point(150 + 5 * i, 50), 40, Scalar(20, 220, 240), FILLED);
+        Mat other = makeImage(NOISE, size, 3, rng);
+        next.copyTo(other, mask);
+        Mat labels[2];
+        for (int k = 0; k < 2; k++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, 300, GetParam());
+            gws->setTemporal(true);
+            gws->setMask(mask);
+            gws->iterate(first);
+            gws->iterate(k == 0 ? next : other);
+            labels[k] = labelsOf(gws);
+        }
+        EXPECT_TRUE(equalMats(labels[0], labels[1])) << i;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_mask, full_mask_is_none_and_a_box_is_a_submatrix)
 {
     RNG& rng = theRNG();

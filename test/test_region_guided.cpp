@@ -44,6 +44,23 @@ TEST(ximgproc_SuperpixelGWatershed, more_iterations_never_explain_less)
     }
 }
 
+//! A pixel with depth is at no distance from a region without any, which has depth when it has come: so it leaves.
+TEST(ximgproc_SuperpixelGWatershed, iterations_come_to_an_end)
+{
+    uchar depth[6 * 14] = {};
+    const Vec2i valid[] = { Vec2i(4, 159), Vec2i(14, 213), Vec2i(18, 205), Vec2i(32, 105), Vec2i(50, 120),
+                            Vec2i(53, 125), Vec2i(54, 39), Vec2i(57, 156), Vec2i(65, 176), Vec2i(76, 54) };
+    for (int i = 0; i < 10; i++)
+        depth[valid[i][0]] = uchar(valid[i][1]);
+    const Mat image(6, 14, CV_8UC1, Scalar(100));
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(14, 6, 1, 16, RGWATERSHED, 12.1840906f);
+    gws->setAlpha(0.645217299f);
+    gws->iterate(image, Mat(6, 14, CV_8UC1, depth), 1000);
+    const Mat labels = labelsOf(gws);
+    gws->iterate(image, Mat(6, 14, CV_8UC1, depth), 1001);
+    EXPECT_TRUE(equalMats(labels, labelsOf(gws)));
+}
+
 TEST(ximgproc_SuperpixelGWatershed, iterations_improve_scenes)
 {
     RNG& rng = theRNG();

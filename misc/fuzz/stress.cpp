@@ -48,6 +48,15 @@ static void queryAtOnce(int max_pixels)
     }
 }
 
+//! A run of more pixels than a sum of 32 bits holds.
+static void segmentLongStrip()
+{
+    const Mat strip(1, 9000000, CV_8UC1, cv::Scalar(255));
+    const Ptr<SuperpixelGWatershed> gws = cv::ximgproc::createSuperpixelGWatershed(strip.cols, 1, 1, 1);
+    gws->iterate(strip, 2);
+    require(gws->getNumberOfSuperpixels() == 1, "the number of superpixels is the one asked for");
+}
+
 //! Sessions with one thread and with several, without the fuzzer: stress [number of sessions [pixels of an image]].
 int main(int argc, char** argv)
 {
@@ -63,5 +72,7 @@ int main(int argc, char** argv)
         require(runSession(i, max_pixels) == results[i], "results do not depend on the number of threads");
     runAtOnce(results, max_pixels);
     queryAtOnce(max_pixels);
+    if (max_pixels >= 64 * 64)
+        segmentLongStrip();
     std::printf("%d sessions with 1 thread, 3 threads and at the same time\n", count);
 }
