@@ -65,6 +65,9 @@ compare "setUseOptimized(false)" "$place/g++-O3" sameness --plain
 OPENCV_CPU_DISABLE=SSE4.1,SSE4.2,AVX,FP16,AVX2,AVX512-SKX \
     compare "OpenCV without the code for newer processors" "$place/g++-O3" sameness
 
+build_module emulated g++ "-O3 -DCV_FORCE_SIMD128_CPP" "${debian[@]}"
+compare "intrinsics as plain C++" "$place/emulated" sameness --threads=3
+
 for compiler in g++ clang++; do
     for flags in -O0 -O3 "-O3 -march=x86-64-v3"; do
         name=${compiler}${flags// -march=/-}

@@ -13,6 +13,7 @@ void HeightQueues::clear()
     free_ = NONE;
     height_ = 0;
     std::fill_n(used_, 4, uint64(0));
+    std::fill_n(first_, 256, int(NONE));
     std::fill_n(ends_, 256, 0);
 }
 

@@ -15,10 +15,7 @@ struct FeatureHeight
 {
     int operator()(Point p, Point q) const
     {
-        const Feature& f = features.row(q.y)[q.x];
-        RegionSum one = RegionSum();
-        one.add(f);
-        return distance(features.row(p.y)[p.x], one.mean());
+        return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
     }
 
     const Padded<Feature>& features;

@@ -23,7 +23,7 @@ struct Feature
 enum RegionLabel
 {
     UNSEEN = -1,       //!< not reached by any region
-    OUTSIDE = INT_MIN  //!< the frame
+    OUTSIDE = INT_MIN  //!< around the image, outside of the mask, and what no marker reached
 };
 
 //! Means over the pixels of a region, in 1/16 of a level.
@@ -34,6 +34,14 @@ struct RegionMean
 
     enum { NO_DEPTH = -1 };
 };
+
+//! The mean of one pixel.
+inline RegionMean meanOf(const Feature& f)
+{
+    const RegionMean mean = { { short(16 * f.color[0]), short(16 * f.color[1]), short(16 * f.color[2]) },
+                              short(f.depth ? 16 * f.depth : int(RegionMean::NO_DEPTH)) };
+    return mean;
+}
 
 //! Sums over the pixels of a region.
 struct RegionSum

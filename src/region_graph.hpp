@@ -61,7 +61,7 @@ private:
 
     std::vector<Boundary> boundaries_;
     std::vector<int> table_; // of the boundaries by their regions, in the first free slot; 2^k of them
-    size_t num_filled_;      // slots, also by what is no more or has other regions now
+    size_t num_filled_ = 0;  // slots, also by what is no more or has other regions now
     std::vector<int> firsts_;
     std::vector<int> degrees_; // lengths of the lists, in which some may be no more
     std::vector<int> parents_;
