@@ -67,7 +67,7 @@ for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER O
 done
 
 # Builds the module alone, against Debian's OpenCV, in the folder $alone.
-alone=$cache/demo-build
+alone="$cache/module alone" # paths with a space must do
 build_alone() {
     rm -f "$alone/CMakeCache.txt" # of a clone elsewhere
     cmake -S "$root" -B "$alone" -DCMAKE_BUILD_TYPE=Release >/dev/null

@@ -1,4 +1,4 @@
-# Builds and installs the shared library opencv_gwatershed, and the samples, against an installed OpenCV.
+# Builds and installs the library opencv_gwatershed, and the samples, against an installed OpenCV.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -12,7 +12,8 @@ endif()
 find_package(OpenCV REQUIRED COMPONENTS core imgproc OPTIONAL_COMPONENTS imgcodecs videoio highgui ximgproc)
 
 file(GLOB gwatershed_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
-add_library(opencv_gwatershed SHARED ${gwatershed_sources})
+option(BUILD_SHARED_LIBS "Build a shared library" ON)
+add_library(opencv_gwatershed ${gwatershed_sources})
 target_include_directories(opencv_gwatershed PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(opencv_gwatershed PUBLIC opencv_core opencv_imgproc)
@@ -45,8 +46,8 @@ else()
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)
-install(CODE "set(directories ${package_dir} ${CMAKE_INSTALL_INCLUDEDIR}/opencv2)")
-install(CODE "set(build_dir ${PROJECT_BINARY_DIR})")
+install(CODE "set(directories [[${package_dir}]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2]])")
+install(CODE "set(build_dir [[${PROJECT_BINARY_DIR}]])")
 install(SCRIPT misc/cmake/note_directories.cmake)
 install(TARGETS opencv_gwatershed EXPORT gwatershedTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
@@ -61,4 +62,4 @@ install(FILES ${PROJECT_BINARY_DIR}/gwatershedConfig.cmake ${PROJECT_BINARY_DIR}
   DESTINATION ${package_dir})
 
 add_custom_target(uninstall
-  COMMAND ${CMAKE_COMMAND} -Dbuild_dir=${PROJECT_BINARY_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake)
+  COMMAND ${CMAKE_COMMAND} "-Dbuild_dir=${PROJECT_BINARY_DIR}" -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake VERBATIM)
