@@ -101,7 +101,8 @@ static Mat segmentByWatershed(const Mat& image, const Mat&, int k)
 
 static Mat segmentByGrid(const Mat& image, const Mat&, int k)
 {
-    const int rows = cvRound(std::sqrt(double(k) * image.rows / image.cols)), cols = cvRound(double(k) / rows);
+    const int rows = std::max(1, cvRound(std::sqrt(double(k) * image.rows / image.cols)));
+    const int cols = std::max(1, cvRound(double(k) / rows));
     Mat labels(image.size(), CV_32SC1);
     for (int y = 0; y < image.rows; y++)
         for (int x = 0; x < image.cols; x++)
