@@ -425,6 +425,12 @@ void checkMasks(const SuperpixelGWatershed& gws, int algorithm)
     require(same(contours, thick), "thick contours are those of the labels");
     gws.getLabelContourMask(contours, false);
     require(same(contours, thin), "thin contours are those of the labels");
+    if (labels.rows == 1 || labels.cols == 1)
+    {
+        std::vector<uchar> line;
+        gws.getLabelContourMask(line, false);
+        require(same(Mat(line).reshape(1, thin.rows), thin), "a vector takes contours that are a line");
+    }
     gws.getWatershedLineMask(lines);
     require(lines.type() == CV_8UC1 && lines.size() == labels.size(), "lines are a mask of the size of the image");
     for (int y = 0; y < lines.rows; y++)

@@ -185,8 +185,9 @@ void Session::changeScene()
         scene_ = fuzz::changeScene(scene_, bytes_);
     if (!fits(scene_.size()) && !oneIn(8, bytes_))
     {
-        mask_ = markers_ = Mat();
+        markers_ = Mat();
         gws_->setMask(noArray());
+        maskHasBecome(Mat());
         gws_->setMarkers(noArray());
     }
 }
@@ -233,18 +234,20 @@ void Session::iterateKept(int num_iterations)
         checkIterated(kept_image_, kept_depth_, num_iterations);
 }
 
-//! Another object with the parameters and the maps of this one.
-Ptr<SuperpixelGWatershed> Session::makeTwin()
+//! Gives the twin the parameters and the maps of the object. If there is none, makes one.
+void Session::updateTwin()
 {
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     gws_->write(written);
     FileStorage kept(written.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    const Ptr<SuperpixelGWatershed> twin = createSuperpixelGWatershed(7, 5, 1, 3);
-    twin->read(kept.root());
-    require(settingsOf(*twin) == settingsOf(*gws_), "read() restores what write() stored");
-    twin->setMask(mask_);
-    twin->setMarkers(markers_);
-    return twin;
+    if (!twin_)
+    {
+        twin_ = createSuperpixelGWatershed(7, 5, 1, 3);
+        twin_->setMask(mask_);
+    }
+    twin_->read(kept.root());
+    require(settingsOf(*twin_) == settingsOf(*gws_), "read() restores what write() stored");
+    twin_->setMarkers(markers_);
 }
 
 void Session::checkIterated(const Mat& image, const Mat& depth, int num_iterations)
@@ -256,10 +259,12 @@ void Session::checkIterated(const Mat& image, const Mat& depth, int num_iteratio
     merged_ = Partition();
     digest(unmerged_.labels);
     checkSegmentation(unmerged_, image.size(), mask_, markers_, used_);
-    if (oneIn(2, bytes_))
+    if (!used_.temporal && oneIn(2, bytes_))
+    {
+        twin_.release();
         return;
-
-    const Ptr<SuperpixelGWatershed> twin = makeTwin();
+    }
+    updateTwin();
     if (!mask_.empty()) // what is outside does not matter
     {
         image_.setTo(Scalar::all(200), mask_ == 0);
@@ -268,12 +273,18 @@ void Session::checkIterated(const Mat& image, const Mat& depth, int num_iteratio
     }
     useThreads();
     if (depth.empty())
-        twin->iterate(image_, num_iterations);
+        twin_->iterate(image_, num_iterations);
     else
-        twin->iterate(image_, depth_, num_iterations);
-    require(twin->getNumberOfSuperpixels() == unmerged_.num_labels, "N is the same for another object");
-    require(used_.temporal || same(partitionOf(*twin).labels, unmerged_.labels),
-            "labels are the same for another object");
+        twin_->iterate(image_, depth_, num_iterations);
+    require(twin_->getNumberOfSuperpixels() == unmerged_.num_labels, "N is the same for another object");
+    require(same(partitionOf(*twin_).labels, unmerged_.labels), "labels are the same for another object");
+}
+
+void Session::maskHasBecome(const Mat& mask)
+{
+    mask_ = mask;
+    if (twin_) // two masks in turn are not the same as none: frames do not follow across them
+        twin_->setMask(mask_);
 }
 
 void Session::setMask()
@@ -282,7 +293,7 @@ void Session::setMask()
     const Mat given = mask.mat().clone();
     if (attempt(given.empty() || (given.dims == 2 && given.type() == CV_8UC1), "setMask()",
                 [&]() { gws_->setMask(mask.mat()); }))
-        mask_ = given;
+        maskHasBecome(given);
     require(mask.untouched(), "setMask() does not write to the mask");
     mask.overwrite(77);
 }
@@ -439,9 +450,8 @@ void Session::queryUnsegmented()
 void Session::writeAndRead()
 {
     const State before = state();
-    const Ptr<SuperpixelGWatershed> twin = makeTwin();
     FileStorage written(".json", FileStorage::WRITE | FileStorage::MEMORY);
-    twin->write(written);
+    gws_->write(written);
     FileStorage kept(written.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
     gws_->read(kept.root());
     require(state() == before, "write() and read() keep all");
@@ -481,6 +491,7 @@ void Session::clear()
     require(settingsOf(*gws_) == before, "clear() keeps the parameters");
     require(gws_->empty(), "clear() drops the segmentation");
     kept_image_ = kept_depth_ = mask_ = markers_ = Mat();
+    twin_.release();
     queryUnsegmented();
 }
 

@@ -36,6 +36,7 @@ private:
     void iterate();
     void iterateKept(int num_iterations);
     void setMask();
+    void maskHasBecome(const Mat& mask);
     void setMarkers();
     void setParameter();
     void mergeSimilar();
@@ -48,7 +49,7 @@ private:
     void clear();
 
     void checkIterated(const Mat& image, const Mat& depth, int num_iterations);
-    Ptr<SuperpixelGWatershed> makeTwin();
+    void updateTwin();
     bool fits(Size size) const;
     bool isSegmented() const { return !gws_->empty(); }
     State state() const;
@@ -62,6 +63,7 @@ private:
     uint64 digest_ = 14695981039346656037u; // FNV-1a
 
     Ptr<SuperpixelGWatershed> gws_;
+    Ptr<SuperpixelGWatershed> twin_; // has seen all frames since frames follow each other, but not the outside of masks
     Mat kept_image_, kept_depth_; // what the factory was given
     Mat mask_, markers_;          // what was set, as it was then
     Mat scene_;
