@@ -6,62 +6,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void HeightQueues::clear()
-{
-    nodes_.clear();
-    next_.clear();
-    free_ = NONE;
-    height_ = 0;
-    std::fill_n(used_, 4, uint64(0));
-    std::fill_n(first_, 256, int(NONE));
-    std::fill_n(ends_, 256, 0);
-}
-
-//! Puts a chunk that is free, or a new one, at the end of a queue. So memory is that of the nodes that wait at once.
-void HeightQueues::appendChunk(int height)
-{
-    int chunk = free_;
-    if (chunk != NONE)
-        free_ = next_[chunk];
-    else
-    {
-        chunk = int(next_.size());
-        nodes_.resize(nodes_.size() + CHUNK);
-        next_.push_back(NONE);
-    }
-    next_[chunk] = NONE;
-    if (ends_[height] > 0)
-        next_[(ends_[height] - 1) / CHUNK] = chunk;
-    else
-        first_[height] = chunk;
-    used_[height >> 6] |= uint64(1) << (height & 63);
-    ends_[height] = chunk * CHUNK;
-}
-
-bool HeightQueues::take(std::vector<int>& batch)
-{
-    if (!(used_[0] | used_[1] | used_[2] | used_[3]))
-        return false;
-    while (!((used_[height_ >> 6] >> (height_ & 63)) & 1))
-        height_ = (height_ + 1) & 255;
-    batch.clear();
-    const int last = (ends_[height_] - 1) / CHUNK;
-    for (int chunk = first_[height_]; chunk != NONE;)
-    {
-        const int begin = chunk * CHUNK, end = chunk == last ? ends_[height_] : begin + CHUNK, next = next_[chunk];
-        batch.insert(batch.end(), nodes_.begin() + begin, nodes_.begin() + end);
-        next_[chunk] = free_;
-        free_ = chunk;
-        chunk = next;
-    }
-    ends_[height_] = 0;
-    used_[height_ >> 6] &= ~(uint64(1) << (height_ & 63));
-    return true;
-}
-
 //! Lines 4 to 14: the pixels beside a marker are queued at the height of equation (4).
 static void fillQueues(NodeMap& map, const Mat& gradient, float border_threshold, int alpha,
-                       HeightQueues& queues)
+                       NodeQueues& queues)
 {
     Node* nodes = map.data();
     const Vec4i neighbors = map.neighbors();
@@ -117,7 +64,7 @@ static void touch(const Node* nodes, int step, const std::vector<int>& batch, si
 //! below the current height waits until the heights begin again at 0, and one queued at that height
 //! goes behind those that are there. So the order of the queues alone decides, and neither lines nor
 //! the frame pass the flood on.
-static void flood(Node* nodes, const Vec4i& neighbors, int alpha, HeightQueues& queues, std::vector<int>& batch)
+static void flood(Node* nodes, const Vec4i& neighbors, int alpha, NodeQueues& queues, std::vector<int>& batch)
 {
     const size_t AHEAD = 8;
     const int step = neighbors[3];

@@ -6,65 +6,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Queues of nodes by height, first in first out each. Nothing is pushed below the last pop.
-class RisingQueues
-{
-public:
-    enum { HEIGHTS = 1024 };
-
-    explicit RisingQueues(std::vector<FloodBuffers::Entry>& entries) : entries_(entries), free_(NONE), height_(0)
-    {
-        entries_.clear();
-        std::fill_n(first_, int(HEIGHTS), int(NONE));
-    }
-
-    //! The height of the last node taken out.
-    int height() const { return height_; }
-
-    void push(Point node, int height)
-    {
-        const FloodBuffers::Entry entry = { node, NONE };
-        int e = free_;
-        if (e != NONE)
-        {
-            free_ = entries_[e].next;
-            entries_[e] = entry;
-        }
-        else
-        {
-            e = int(entries_.size());
-            entries_.push_back(entry);
-        }
-        if (first_[height] == NONE)
-            first_[height] = e;
-        else
-            entries_[last_[height]].next = e;
-        last_[height] = e;
-    }
-
-    //! Returns false if all queues are empty.
-    bool pop(Point& node)
-    {
-        while (first_[height_] == NONE)
-            if (++height_ == HEIGHTS)
-                return false;
-        const int e = first_[height_];
-        first_[height_] = entries_[e].next;
-        entries_[e].next = free_;
-        free_ = e;
-        node = entries_[e].node;
-        return true;
-    }
-
-private:
-    enum { NONE = -1 };
-
-    std::vector<FloodBuffers::Entry>& entries_;
-    int free_; // chain of entries that were taken out
-    int height_;
-    int first_[HEIGHTS], last_[HEIGHTS];
-};
-
 //! Length of a vector in 1/16 within 4 percent, without a root.
 static inline int64 octagonalLength(Point v)
 {
@@ -73,17 +14,16 @@ static inline int64 octagonalLength(Point v)
     return longer - (longer >> 5) + ((13 * shorter) >> 5);
 }
 
+//! The flood of some rows; nothing crosses to others.
 class RegionFlood
 {
 public:
-    //! Floods some rows; nothing crosses to others.
     RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
-                std::vector<FloodBuffers::Entry>& entries, FloodBuffers& buffers, Padded<int>& labels,
-                Regions& regions)
+                FloodBuffers::Band& band, FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
         : features_(features), centers_(buffers.centers), distance_(distance), ruler_(ruler),
           neighbors_(labels.neighbors()), first_node_(labels.index(Point(0, rows.start))),
-          end_node_(labels.index(Point(0, rows.end))), labels_(labels), regions_(regions), queue_(entries),
-          updates_(buffers.updates), heights_(buffers.heights)
+          end_node_(labels.index(Point(0, rows.end))), labels_(labels), regions_(regions), queues_(band.queues),
+          batch_(band.batch), updates_(buffers.updates), heights_(buffers.heights)
     {
     }
 
@@ -96,17 +36,18 @@ public:
     //! so the result depends on the order of the markers and nothing else.
     void run(const Point* first_seed, const Point* end_seed)
     {
+        queues_.clear();
         for (const Point* seed = first_seed; seed != end_seed; seed++)
             spread(*seed, labels_.row(seed->y)[seed->x]);
-        Point node;
-        while (queue_.pop(node))
-        {
-            const int label = labels_.row(node.y)[node.x];
-            if (label >= 0)
-                continue; // it was taken out at a lower height before
-            settle(labels_.index(node), OFFERED - label);
-            spread(node, OFFERED - label);
-        }
+        while (queues_.take(batch_))
+            for (size_t i = 0; i < batch_.size(); i++)
+            {
+                const int label = labels_.row(batch_[i].y)[batch_[i].x];
+                if (label >= 0)
+                    continue; // it was taken out at a lower height before
+                settle(labels_.index(batch_[i]), OFFERED - label);
+                spread(batch_[i], OFFERED - label);
+            }
     }
 
 private:
@@ -135,12 +76,12 @@ private:
             if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
                 continue;
             const Point neighbor(node.x + (k == 2) - (k == 0), node.y + (k == 3) - (k == 1));
-            const int height = std::max(heightOf(to, i, neighbor - centers_[i]), queue_.height());
+            const int height = std::max(heightOf(to, i, neighbor - centers_[i]), queues_.height());
             if (label != UNSEEN && height >= heights_[to])
                 continue; // another region offers as much
             labels_.data()[to] = OFFERED - i;
             heights_[to] = ushort(height);
-            queue_.push(neighbor, height);
+            queues_.push(neighbor, height);
         }
     }
 
@@ -149,7 +90,7 @@ private:
     {
         const int64 away = (ruler_ * octagonalLength(offset)) >> 12;
         const int64 height = (distance_(features_.data()[node], regions_.means[i]) + away) >> 2;
-        return int(std::min<int64>(height, RisingQueues::HEIGHTS - 1));
+        return int(std::min<int64>(height, FloodBuffers::HEIGHTS - 1));
     }
 
     const Padded<Feature>& features_;
@@ -160,7 +101,8 @@ private:
     const int first_node_, end_node_;
     Padded<int>& labels_;
     Regions& regions_;
-    RisingQueues queue_;
+    HeightQueues<Point, FloodBuffers::HEIGHTS>& queues_;
+    std::vector<Point>& batch_;
     std::vector<int>& updates_;
     std::vector<ushort>& heights_;
 };
@@ -168,7 +110,7 @@ private:
 //! Makes the buffers ready for the regions and nodes that there are.
 static void prepare(const Padded<int>& labels, const Regions& regions, int num_bands, FloodBuffers& buffers)
 {
-    buffers.entries.resize(num_bands);
+    buffers.bands.resize(num_bands);
     buffers.updates.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
         buffers.updates[i] = RegionFlood::nextUpdate(regions.sums[i].area);
@@ -198,7 +140,7 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
     parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            RegionFlood(features, distance, ruler, bands[i].rows, buffers.entries[i], buffers, labels, regions)
+            RegionFlood(features, distance, ruler, bands[i].rows, buffers.bands[i], buffers, labels, regions)
                 .run(markers.data() + bands[i].markers.start, markers.data() + bands[i].markers.end);
     });
     regions.update();
@@ -223,7 +165,7 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
     const int NO_RULER = 0;
     buffers.centers.assign(regions.size(), Point());
     prepare(labels, regions, 1, buffers);
-    RegionFlood(features, distance, NO_RULER, Range(0, size.height), buffers.entries[0], buffers, labels, regions)
+    RegionFlood(features, distance, NO_RULER, Range(0, size.height), buffers.bands[0], buffers, labels, regions)
         .run(seeds.data(), seeds.data() + seeds.size());
     regions.update();
 }

@@ -25,16 +25,18 @@ CV_EXPORTS void computeGradient(const Padded<Feature>& features, const RegionDis
 //! Buffers of a flood.
 struct FloodBuffers
 {
-    struct Entry
+    enum { HEIGHTS = 1024 };
+
+    struct Band
     {
-        Point node;
-        int next;
+        HeightQueues<Point, HEIGHTS> queues;
+        std::vector<Point> batch;
     };
-    std::vector<std::vector<Entry> > entries; // of the queues, for each band
-    std::vector<Point> seeds;                 // nodes that the flood begins with
-    std::vector<Point> centers;               // that the ruler counts from
-    std::vector<int> updates;                 // area at which the means of a region are taken anew
-    std::vector<ushort> heights;              // at which a node waits
+    std::vector<Band> bands;
+    std::vector<Point> seeds;    // nodes that the flood begins with
+    std::vector<Point> centers;  // that the ruler counts from
+    std::vector<int> updates;    // area at which the means of a region are taken anew
+    std::vector<ushort> heights; // at which a node waits
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that

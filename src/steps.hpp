@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_STEPS_HPP
 #define OPENCV_GWATERSHED_STEPS_HPP
 
+#include "height_queues.hpp"
 #include "mask.hpp"
 #include "nodes.hpp"
 
@@ -60,42 +61,13 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, NodeMap& nodes);
 void labelMarkers(const Mat& markers, NodeMap& nodes);
 
-//! The 256 queues of Algorithm 1, first in first out each, as chains of chunks. (flood.cpp)
-class CV_EXPORTS HeightQueues
-{
-public:
-    HeightQueues() { clear(); }
-    void clear();
-
-    void push(int node, int height)
-    {
-        if (ends_[height] % CHUNK == 0)
-            appendChunk(height);
-        nodes_[ends_[height]++] = node;
-    }
-
-    //! Takes all nodes from the queue at the current height; if that is empty, from the next one that
-    //! is not, beginning again at 0 after 255. Returns false if all are empty.
-    bool take(std::vector<int>& batch);
-
-private:
-    enum { CHUNK = 64, NONE = -1 };
-
-    void appendChunk(int height);
-
-    std::vector<int> nodes_; // those of chunk i from i * CHUNK on
-    std::vector<int> next_;  // chunk in the chain, for each chunk
-    int free_;               // first of the chain of those that no queue has
-    int height_;
-    uint64 used_[4]; // a bit for each height whose queue is not empty
-    int first_[256]; // chunk of each queue that is not empty
-    int ends_[256];  // behind its last node, in nodes_; 0 if it is empty
-};
+//! The 256 queues of Algorithm 1.
+typedef HeightQueues<int, 256> NodeQueues;
 
 //! Buffers of the flood.
 struct PlainFloodBuffers
 {
-    HeightQueues queues;
+    NodeQueues queues;
     std::vector<int> batch;
 };
 
