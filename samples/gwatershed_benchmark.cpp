@@ -18,6 +18,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <sstream>
 
 using namespace cv;
 using namespace cv::ximgproc;
@@ -272,6 +273,29 @@ static std::vector<Example> readExamples(const String& image_dir, const String& 
     return examples;
 }
 
+//! Numbers of superpixels that all methods can make of all images: of three pixels in width or more, and of half of
+//! the shorter side of an image or less. Some of the methods end the program where there is another one.
+static std::vector<int> readNumbers(const std::vector<String>& texts, const std::vector<Example>& examples)
+{
+    double fewest = 1, most = INT_MAX;
+    for (size_t i = 0; i < examples.size(); i++)
+    {
+        const Size size = examples[i].image.size();
+        const double shorter = std::min(size.width, size.height);
+        fewest = std::max(fewest, std::ceil(4. * size.width * size.height / (shorter * shorter)));
+        most = std::min(most, std::floor(size.width * double(size.height) / 9));
+    }
+    std::vector<int> numbers(texts.size());
+    for (size_t i = 0; i < texts.size(); i++)
+    {
+        std::istringstream in(texts[i]);
+        if (!(in >> numbers[i]) || !in.eof() || numbers[i] < fewest || numbers[i] > most)
+            CV_Error_(Error::StsOutOfRange, ("numbers must be integers from %g to %g for these images, not %s", fewest,
+                                             most, texts[i].c_str()));
+    }
+    return numbers;
+}
+
 static void writeRow(std::ostream& out, const String& method, int k, const String& image, const metrics::Scores& s)
 {
     out << format("%s,%d,%s,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%.8g,%.4g\n", method.c_str(), k, image.c_str(), s.recall,
@@ -330,13 +354,13 @@ static metrics::Scores runMethod(const Method& method, const String& name, bool 
     return mean;
 }
 
-int main(int argc, char** argv)
+static int run(int argc, char** argv)
 {
     CommandLineParser parser(argc, argv, KEYS);
     parser.about("Compares superpixels with ground truth and writes a table (CSV); gwatershed_plot.py draws it.");
     const String image_dir = parser.get<String>("images"), truth_dir = parser.get<String>("truth");
     const String depth_dir = parser.get<String>("depth"), output = parser.get<String>("output");
-    const std::vector<String> numbers = splitList(parser.get<String>("numbers"));
+    const std::vector<String> texts = splitList(parser.get<String>("numbers"));
     const std::vector<String> wanted = splitList(parser.get<String>("methods"));
     const bool ignore_zero = parser.has("ignore_zero");
     const int limit = parser.get<int>("limit"), threads = parser.get<int>("threads");
@@ -353,6 +377,7 @@ int main(int argc, char** argv)
                   << std::endl;
         return 1;
     }
+    const std::vector<int> numbers = readNumbers(texts, examples);
     setNumThreads(threads);
 
     out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
@@ -360,17 +385,38 @@ int main(int argc, char** argv)
                         "CO", "N", "pieces", "ms");
     const std::vector<Method> methods = allMethods();
     Progress progress;
+    int rows = 0;
     for (size_t i = 0; i < methods.size(); i++)
         for (int with_depth = 0; with_depth <= (methods[i].takes_depth && !depth_dir.empty() ? 1 : 0); with_depth++)
             for (size_t j = 0; j < numbers.size() && isWanted(methods[i].name, wanted); j++)
             {
-                const int k = std::max(1, std::atoi(numbers[j].c_str()));
+                const int k = numbers[j];
                 const String name = methods[i].name + (with_depth ? " with depth" : "");
                 const metrics::Scores s = runMethod(methods[i], name, with_depth != 0, k, examples, ignore_zero, out,
                                                     progress);
+                rows++;
                 std::cout << format("%-36s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
                                     s.recall, s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds)
                           << std::flush;
             }
+    out.flush();
+    if (rows == 0 || !out)
+    {
+        std::cerr << (rows == 0 ? "No method has such a name" : "Cannot write " + output) << std::endl;
+        return 1;
+    }
     return 0;
+}
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return run(argc, argv);
+    }
+    catch (const cv::Exception& e)
+    {
+        std::cerr << e.what() << std::endl;
+        return 1;
+    }
 }

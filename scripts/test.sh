@@ -146,6 +146,7 @@ run_samples() {
     mkdir -p "$results/truth"
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
     check "gwatershed_benchmark" benchmark_finds_itself "$data/fruits.jpg"
+    check "gwatershed_benchmark refuses numbers" refuses_numbers
     check "gwatershed_plot.py" sh -c '/usr/bin/python3 "$1" "$2.csv" -o "$2.png" | grep -q RGWATERSHED && [ -s "$2.png" ]' \
         sh "$root/samples/gwatershed_plot.py" "$results/benchmark"
 }
@@ -191,6 +192,15 @@ benchmark_finds_itself() { # IMAGE
     "$build/bin/example_gwatershed_gwatershed_benchmark" -i="$results/images" -g="$results/truth" \
         -k=300,614 -m=RGWATERSHED,grid -o="$results/benchmark.csv"
     grep -q '^RGWATERSHED,614,mean,1,0,1,' "$results/benchmark.csv"
+}
+
+# Wrong numbers of superpixels, methods and folders end it with a message and the exit code 1.
+refuses_numbers() {
+    local wrong benchmark=$build/bin/example_gwatershed_gwatershed_benchmark
+    for wrong in "-k=0" "-k=3x" "-k=400,999999" "-k=300 -m=none" "-k=300 -i=$results/no-such-folder"; do
+        "$benchmark" -i="$results/images" -g="$results/truth" -o="$results/refused.csv" $wrong
+        [ $? = 1 ] || return 1
+    done
 }
 
 # The module alone is installed, projects find it, and uninstalling leaves what was there before. The projects are the

@@ -345,7 +345,8 @@ public:
 
     /** @brief Sets the weight of colour against depth, equation (3) of the paper.
     @param alpha In [0, 1]: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D, in steps of 1/256. 1 is
-    colour alone, 0 is depth alone where there is depth. Default 0.5, as in the paper; less where
+    colour alone, 0 is depth alone where there is depth, but for iterations after the first, which move no
+    pixel to a colour that is farther. Default 0.5, as in the paper; less where
     colour misleads. Without depth it has no effect. RGWATERSHED divides the distance by the larger of
     the two weights, so that pixels with and without depth compare.
 
@@ -369,7 +370,7 @@ public:
     explain the image much worse than when they were made are made anew, as many as before, and their
     labels go to new ones, so N stays what it was. If half of the image has changed, all start anew. For
     GWATERSHED, each marker moves to the middle of its last region; those of regions that have all but vanished
-    move into the largest ones. A frame of another size, mask, number of superpixels or algorithm, one with
+    move into the largest ones. On a still image boundaries go on moving a little, too. A frame of another size, mask, number of superpixels or algorithm, one with
     markers of the user and the first one after clear() start anew, and for RGWATERSHED one with a ruler so
     different that other blocks are flooded. If false, the default, each frame is segmented by itself.
     @note Merging, by mergeSimilar() or enforceLabelConnectivity(), numbers labels anew for one frame; the next
