@@ -411,34 +411,6 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_takes_the_cheapest_pair)
     EXPECT_GT(best, 0.7 * steps);
 }
 
-TEST_P(ximgproc_GWatershed_pipeline, a_superpixel_with_very_many_neighbours_takes_no_longer)
-{
-    const Size size(640, 640);
-    Mat image(size, CV_8UC3), markers[2], pairs, lengths;
-    theRNG().fill(image, RNG::UNIFORM, 0, 256);
-    TickMeter times[2];
-    for (int i = 0; i < 2; i++)
-    {
-        markers[i] = Mat(size, CV_32SC1, Scalar(i)); // with a superpixel between all others, and without it
-        int count = 1;
-        for (int y = 1; y < size.height; y += 2)
-            for (int x = 1; x < size.width; x += 2)
-                markers[i].at<int>(y, x) = ++count;
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
-        gws->setMarkers(markers[i]);
-        gws->iterate();
-        times[i].start();
-        gws->getAdjacency(noArray(), noArray(), pairs, lengths);
-        gws->mergeSimilar(1);
-        EXPECT_EQ(1, gws->getNumberOfSuperpixels());
-        gws->iterate();
-        gws->enforceLabelConnectivity(100);
-        times[i].stop();
-    }
-    EXPECT_EQ(320 * 320, pairs.rows);
-    EXPECT_LT(times[1].getTimeMilli(), 5 * times[0].getTimeMilli());
-}
-
 TEST_P(ximgproc_GWatershed_pipeline, merging_starts_from_what_was_merged_for_size)
 {
     const Mat image = makeImage(NOISE, Size(120, 90), 3, theRNG());

@@ -6,7 +6,7 @@
 
 namespace opencv_test { namespace {
 
-// Images of extreme size and shape. misc/checks/scale.cpp has those that take much memory.
+// Images and superpixels of extreme size and shape. misc/checks/scale.cpp has those that take much memory.
 
 typedef testing::TestWithParam<int> ximgproc_GWatershed_scale;
 
@@ -61,6 +61,32 @@ TEST_P(ximgproc_GWatershed_scale, gives_any_number_up_to_one_for_each_pixel)
         gws->mergeSimilar(k / 2);
         expectPartition(labelsOf(gws), image.size(), k / 2);
     }
+}
+
+TEST_P(ximgproc_GWatershed_scale, a_superpixel_with_very_many_neighbours_takes_no_longer)
+{
+    const Size size(640, 640);
+    const Mat image = makeImage(NOISE, size, 3, theRNG());
+    Mat pairs, lengths;
+    TickMeter times[2];
+    for (int i = 0; i < 2; i++)
+    {
+        Mat markers(size, CV_32SC1, Scalar(i)); // without and with a superpixel between all others
+        for (int k = 0; k < 320 * 320; k++)
+            markers.at<int>(2 * (k / 320) + 1, 2 * (k % 320) + 1) = k + 2;
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+        gws->setMarkers(markers);
+        gws->iterate();
+        times[i].start();
+        gws->getAdjacency(noArray(), noArray(), pairs, lengths);
+        gws->mergeSimilar(1);
+        EXPECT_EQ(1, gws->getNumberOfSuperpixels());
+        gws->iterate();
+        gws->enforceLabelConnectivity(100);
+        times[i].stop();
+    }
+    EXPECT_EQ(320 * 320, pairs.rows);
+    EXPECT_LT(times[1].getTimeMilli(), 5 * times[0].getTimeMilli());
 }
 
 // The headers have no memory behind them: an image is refused before anything of it is read.

@@ -370,9 +370,10 @@ public:
     explain the image much worse than when they were made are made anew, as many as before, and their
     labels go to new ones, so N stays what it was. If half of the image has changed, all start anew. For
     GWATERSHED, each marker moves to the middle of its last region; those of regions that have all but vanished
-    move into the largest ones. On a still image boundaries go on moving a little, too. A frame of another size, mask, number of superpixels or algorithm, one with
-    markers of the user and the first one after clear() start anew, and for RGWATERSHED one with a ruler so
-    different that other blocks are flooded. If false, the default, each frame is segmented by itself.
+    move into the largest ones. On a still image boundaries go on moving a little, too. A frame of another size,
+    mask, number of superpixels or algorithm, one with markers of the user and the first one after clear() start
+    anew, and for RGWATERSHED one with a ruler so different that other blocks are flooded. If false, the default,
+    each frame is segmented by itself.
     @note Merging, by mergeSimilar() or enforceLabelConnectivity(), numbers labels anew for one frame; the next
     frame goes on from what iterate() gave. */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
