@@ -16,6 +16,19 @@ namespace cv { namespace ximgproc {
 
 namespace {
 
+//! Turns the exception of the standard library for a lack of memory into that of OpenCV.
+template <typename Work> void guardMemory(Work work)
+{
+    try
+    {
+        work();
+    }
+    catch (const std::bad_alloc&)
+    {
+        CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
+    }
+}
+
 class SuperpixelGWatershedImpl CV_FINAL : public SuperpixelGWatershed
 {
 public:
@@ -66,29 +79,34 @@ public:
     {
         checkSegmented();
         gws::checkOutput(labels_out, CV_32SC1, isLine(), "labels_out");
-        Mat labels = gws::createOutput(labels_out, labels_.size(), CV_32SC1);
-        labels_.copyTo(labels);
+        guardMemory([&]() { give(labels_, labels_out); });
     }
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, isLine(), "image");
-        Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
-        gws::drawContours(labels_, thick_line, mask);
+        guardMemory([&]()
+        {
+            Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
+            gws::drawContours(labels_, thick_line, mask);
+        });
     }
 
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, isLine(), "image");
-        Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
-        mask.setTo(Scalar(0));
-        if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
+        guardMemory([&]()
         {
-            Mat part = mask(bounds_);
-            plain_.drawLines(part);
-        }
+            Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
+            mask.setTo(Scalar(0));
+            if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
+            {
+                Mat part = mask(bounds_);
+                plain_.drawLines(part);
+            }
+        });
     }
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
@@ -172,18 +190,12 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
-        const Mat checked = gws::checkMask(mask);
-        const Mat inside = checked.empty() ? Mat() : Mat(checked != 0);
-        const bool changes = mask_.size() != inside.size() || (!inside.empty() && countNonZero(mask_ != inside) > 0);
-        const Rect bounds = inside.empty() ? Rect() : gws::findBounds(inside);
-        const int area = inside.empty() ? 0 : countNonZero(inside);
-        if (changes) // nothing fails from here on, so that all of the mask is set, or none of it
-            last_ = Last();
-        mask_ = inside;
-        mask_bounds_ = bounds;
-        mask_area_ = area;
+        guardMemory([&]() { keepMask(gws::checkMask(mask)); });
     }
-    void setMarkers(InputArray markers) CV_OVERRIDE { markers_ = gws::checkMarkers(markers).clone(); }
+    void setMarkers(InputArray markers) CV_OVERRIDE
+    {
+        guardMemory([&]() { markers_ = gws::checkMarkers(markers).clone(); });
+    }
 
     void setAlgorithm(int algorithm) CV_OVERRIDE { parameters_.setAlgorithm(algorithm); }
     int getAlgorithm() const CV_OVERRIDE { return parameters_.algorithm; }
@@ -222,17 +234,18 @@ private:
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
-    //! Turns the exception of the standard library for a lack of memory into that of OpenCV.
-    template <typename Work> static void guardMemory(Work work)
+    //! Keeps all of a mask, or nothing where memory runs out.
+    void keepMask(const Mat& mask)
     {
-        try
-        {
-            work();
-        }
-        catch (const std::bad_alloc&)
-        {
-            CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
-        }
+        const Mat inside = mask.empty() ? Mat() : Mat(mask != 0);
+        const bool changes = mask_.size() != inside.size() || (!inside.empty() && countNonZero(mask_ != inside) > 0);
+        const Rect bounds = inside.empty() ? Rect() : gws::findBounds(inside);
+        const int area = inside.empty() ? 0 : countNonZero(inside);
+        if (changes) // nothing fails from here on, so that all of the mask is set, or none of it
+            last_ = Last();
+        mask_ = inside;
+        mask_bounds_ = bounds;
+        mask_area_ = area;
     }
 
     //! What the next frame must have in common with the last one to go on from it in temporal mode.
@@ -399,8 +412,12 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
     parameters.setAlgorithm(algorithm);
     parameters.setRuler(ruler);
 
-    Ptr<SuperpixelGWatershedImpl> gws = makePtr<SuperpixelGWatershedImpl>(parameters);
-    gws->reserve(Size(image_width, image_height));
+    Ptr<SuperpixelGWatershedImpl> gws;
+    guardMemory([&]()
+    {
+        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
+        gws->reserve(Size(image_width, image_height));
+    });
     return gws;
 }
 
@@ -413,8 +430,12 @@ static Ptr<SuperpixelGWatershed> createForImage(const Mat& image, const Mat& dep
     parameters.setRuler(ruler);
     parameters.setAlpha(alpha);
 
-    Ptr<SuperpixelGWatershedImpl> gws = makePtr<SuperpixelGWatershedImpl>(parameters);
-    gws->keep(image, depth);
+    Ptr<SuperpixelGWatershedImpl> gws;
+    guardMemory([&]()
+    {
+        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
+        gws->keep(image, depth);
+    });
     return gws;
 }
 
