@@ -52,11 +52,11 @@ static inline int commonLabel(const Node* node, const Vec4i& neighbors)
 
 //! Reads the rows that some nodes of a batch will need. They lie anywhere in the image: so they are
 //! fetched at the same time, instead of one after the other.
-static void touch(const Node* nodes, int step, const std::vector<int>& batch, size_t begin, size_t end)
+static void touchRows(const Node* nodes, int step, const std::vector<int>& batch, size_t begin, size_t end)
 {
     for (size_t i = begin; i < std::min(end, batch.size()); i++)
         for (int row = -step; row <= step; row += step)
-            static_cast<void>(static_cast<const volatile Node*>(nodes)[batch[i] + row].state);
+            touch(nodes[batch[i] + row].state);
 }
 
 //! Lines 15 to 36. Invariant: a node enters a queue once, from the first labelled neighbour that
@@ -70,11 +70,11 @@ static void flood(Node* nodes, const Vec4i& neighbors, int alpha, NodeQueues& qu
     const int step = neighbors[3];
     while (queues.take(batch))
     {
-        touch(nodes, step, batch, 0, AHEAD);
+        touchRows(nodes, step, batch, 0, AHEAD);
         for (size_t i = 0; i < batch.size(); i++)
         {
             if (i % AHEAD == 0)
-                touch(nodes, step, batch, i + AHEAD, i + 2 * AHEAD);
+                touchRows(nodes, step, batch, i + AHEAD, i + 2 * AHEAD);
             const int p = batch[i];
             Node& node = nodes[p];
             node.state = commonLabel(&node, neighbors);

@@ -9,6 +9,13 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Reads a value that will be needed soon, so that it is fetched while something else is worked on.
+template <typename T> inline void touch(const T& value)
+{
+    const T read = *static_cast<const volatile T*>(&value);
+    static_cast<void>(read);
+}
+
 //! An image with a frame of one element around it, so that neighbours need no test of bounds.
 //! Elements are named by one index; a neighbour is a fixed offset away.
 template <typename T> class Padded

@@ -105,17 +105,16 @@ void SimilarMerger::pushIfLower(int boundary)
         push(boundary, now);
 }
 
-//! Reads the regions of the next boundaries of a queue: they lie anywhere, so they are fetched while another one is
-//! worked on.
-void SimilarMerger::touch(int entry) const
+//! The regions of the next boundaries of a queue lie anywhere.
+void SimilarMerger::touchRegions(int entry) const
 {
     for (int count = 0; count < 2 && entry != NONE; count++, entry = entries_[entry].next)
     {
         const RegionGraph::Boundary& boundary = graph_.boundaries()[entries_[entry].boundary];
         for (int side = 0; side < 2; side++)
         {
-            static_cast<void>(static_cast<const volatile RegionSum&>(regions_.sums[boundary.regions[side]]).area);
-            static_cast<void>(static_cast<const volatile RegionMean&>(regions_.means[boundary.regions[side]]).depth);
+            touch(regions_.sums[boundary.regions[side]].area);
+            touch(regions_.means[boundary.regions[side]].depth);
         }
     }
 }
@@ -128,7 +127,7 @@ int SimilarMerger::pop()
         {
             const MergeBuffers::Entry entry = entries_[first_[lowest_]];
             first_[lowest_] = entry.next;
-            touch(entry.next);
+            touchRegions(entry.next);
             if (graph_.boundaries()[entry.boundary].exists() && queued_at_[entry.boundary] == lowest_)
                 return entry.boundary;
         }

@@ -34,7 +34,7 @@ private:
     void push(int boundary, int cost);
     void pushIfLower(int boundary);
     int pop();
-    void touch(int entry) const;
+    void touchRegions(int entry) const;
     void unite(int a, int b);
 
     const RegionDistance distance_;

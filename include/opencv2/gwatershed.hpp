@@ -90,8 +90,9 @@ depth as a gray image.
 
 **Errors.** A wrong argument throws cv::Exception, which names it, before anything is changed, and the object stays
 usable. So it does where memory runs out, which throws cv::Exception with Error::StsNoMem; after that in iterate()
-there is no segmentation, and empty() is true. The images given are never written to. In Python, None for a number is its default: check what imread() returned, since
-`iterate(None)` is `iterate()`, and `iterate(image, None)` is `iterate(image)`.
+there is no segmentation, and empty() is true. The images given are never written to. In Python, None for a number
+is its default: check what imread() returned, since `iterate(None)` is `iterate()`, and `iterate(image, None)` is
+`iterate(image)`.
 
 **Outputs** are a Mat or UMat, allocated as needed, whatever they were before, or a Mat_ of the type given; what has one
 row or column may also be a std::vector of that type.
