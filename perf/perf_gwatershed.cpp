@@ -3,7 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_common.hpp"
-#include "../src/steps.hpp"
+#include "gwatershed/gradient_map.hpp"
+#include "gwatershed/pixel_flood.hpp"
+#include "gwatershed/watershed_lines.hpp"
+#include "shared/grid_markers.hpp"
 
 namespace opencv_test { namespace {
 
@@ -48,23 +51,23 @@ struct Steps
 {
     explicit Steps(Size size) : pictures(size) {}
 
-    void gradientStep() { gws::computeGradient(pictures.image(), Mat(), COLOR_ALONE, gray, gradient); }
-    void markersStep() { gws::placeMarkers(gradient, perfNumSuperpixels(gradient.size()), markers); }
+    void gradientStep() { gws::computeGradientMap(pictures.image(), Mat(), COLOR_ALONE, gray, gradient); }
+    void markersStep() { gws::placeGridMarkers(gradient, perfNumSuperpixels(gradient.size()), markers); }
     void nodesStep()
     {
-        gws::makeNodes(pictures.image(), Mat(), nodes);
-        gws::labelMarkers(markers, nodes);
+        gws::makePixelMap(pictures.image(), Mat(), pixels);
+        gws::labelMarkers(markers, pixels);
     }
-    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, nodes, flood); }
-    void linesStep() { gws::absorbLines(COLOR_ALONE, nodes, lines); }
-    void labelsStep() { gws::extractLabels(nodes, labels); }
+    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, pixels, flood); }
+    void linesStep() { gws::absorbLines(COLOR_ALONE, pixels, lines); }
+    void labelsStep() { gws::extractLabels(pixels, labels); }
 
     Pictures pictures;
     Mat gray, gradient, labels;
     std::vector<Point> markers;
-    gws::PlainFloodBuffers flood;
+    gws::PixelFloodBuffers flood;
     gws::LineBuffers lines;
-    gws::NodeMap nodes;
+    gws::PixelMap pixels;
 };
 
 PERF_TEST_P(Perf_GWatershed_step, gradient, GWATERSHED_PERF_SIZES)

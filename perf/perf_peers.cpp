@@ -3,7 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_common.hpp"
-#include "../src/steps.hpp"
+#include "gwatershed/gradient_map.hpp"
+#include "shared/grid_markers.hpp"
 
 #ifdef GWATERSHED_HAVE_XIMGPROC
 #include "opencv2/ximgproc.hpp"
@@ -23,8 +24,8 @@ PERF_TEST_P(Perf_GWatershed_peer, watershed, GWATERSHED_PERF_SIZES)
     std::vector<Point> markers;
     timeOver(pictures, [&]()
     {
-        gws::computeGradient(pictures.image(), Mat(), 256, gray, gradient);
-        gws::placeMarkers(gradient, perfNumSuperpixels(GetParam()), markers);
+        gws::computeGradientMap(pictures.image(), Mat(), 256, gray, gradient);
+        gws::placeGridMarkers(gradient, perfNumSuperpixels(GetParam()), markers);
         labels = Mat::zeros(GetParam(), CV_32SC1);
         for (size_t i = 0; i < markers.size(); i++)
             labels.at<int>(markers[i]) = int(i) + 1;

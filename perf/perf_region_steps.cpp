@@ -3,8 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "perf_common.hpp"
-#include "../src/region_settings.hpp"
-#include "../src/region_steps.hpp"
+#include "rgwatershed/block_gradient.hpp"
+#include "rgwatershed/block_merge.hpp"
+#include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/feature_pyramid.hpp"
+#include "rgwatershed/region_flood.hpp"
+#include "rgwatershed/region_labels.hpp"
+#include "rgwatershed/tuning.hpp"
+#include "shared/grid_markers.hpp"
 
 namespace opencv_test { namespace {
 
@@ -25,8 +31,8 @@ public:
     void placeMarkers()
     {
         const int num_markers = num_superpixels_ * gws::MARKERS_PER_SUPERPIXEL;
-        gws::computeGradient(features_[TOP], flood_distance_, gradient_);
-        gws::placeMarkers(gradient_, num_markers, markers_);
+        gws::computeBlockGradient(features_[TOP], flood_distance_, gradient_);
+        gws::placeGridMarkers(gradient_, num_markers, markers_);
         gws::divideIntoBands(gradient_.size(), num_markers,
                              gws::floodBandHeight(double(gradient_.total()), num_superpixels_), bands_);
     }

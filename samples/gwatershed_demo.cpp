@@ -180,7 +180,7 @@ int main(int argc, char** argv)
             Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size, ruler);
             gws->setAlpha(alpha);
             if (num_superpixels > 0)
-                gws->setNumSuperpixels(num_superpixels);
+                gws->setDesiredSuperpixels(num_superpixels);
             segmentFile(image, depth, *gws, iterations, output);
             return 0;
         }

@@ -45,7 +45,7 @@ def main():
         image, region_size=arguments.region_size, ruler=arguments.ruler)
     gws.setAlpha(arguments.alpha)
     if arguments.superpixels:
-        gws.setNumSuperpixels(arguments.superpixels)
+        gws.setDesiredSuperpixels(arguments.superpixels)
     start = time.perf_counter()
     if depth is None:
         gws.iterate(image, num_iterations=arguments.iterations)

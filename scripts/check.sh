@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the module, with the program misc/fuzz/stress.cpp, under sanitizers and checkers; a line for each.
+# Builds the module, with the program tools/fuzz/stress.cpp, under sanitizers and checkers; a line for each.
 # The logs stay in the cache. The last line is "N passed, N failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -8,7 +8,7 @@ place=$cache/check
 logs=$place/logs
 
 build() { # FOLDER TARGET COMPILER FLAGS
-    cmake -S "$root/misc/fuzz" -B "$place/$1" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_CXX_FLAGS=$4" >/dev/null &&
+    cmake -S "$root/tools/fuzz" -B "$place/$1" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_CXX_FLAGS=$4" >/dev/null &&
         cmake --build "$place/$1" --target "$2" --parallel "$(nproc)"
 }
 
@@ -33,7 +33,7 @@ warn() { # FOLDER COMPILER FLAGS
 }
 
 tidy() { # FOLDER OF A BUILD
-    printf '%s\0' "$root"/src/*.cpp |
+    find "$root/src" -name '*.cpp' -print0 |
         xargs -0 -n 1 -P "$(nproc)" clang-tidy-14 -p "$place/$1" --quiet "--header-filter=^$root/(src|include)/"
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Calls the module as libFuzzer makes it up, under the sanitizers of addresses and undefined behaviour:
-#   scripts/fuzz.sh [SECONDS]           starts from misc/fuzz/corpus; 60 seconds by default
+#   scripts/fuzz.sh [SECONDS]           starts from tools/fuzz/corpus; 60 seconds by default
 #   scripts/fuzz.sh FILE                repeats what an earlier run found
 # What it finds, and a corpus that grows from run to run, are in the cache.
 set -euo pipefail
@@ -11,7 +11,7 @@ place=$cache/fuzz
 mkdir -p "$place/corpus" "$place/found"
 say "building the fuzz target"
 rm -f "$place/build/CMakeCache.txt" # of a clone elsewhere
-cmake -S "$root/misc/fuzz" -B "$place/build" -DCMAKE_CXX_COMPILER=clang++-14 \
+cmake -S "$root/tools/fuzz" -B "$place/build" -DCMAKE_CXX_COMPILER=clang++-14 \
     -DCMAKE_CXX_FLAGS="-O1 -g -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all" >/dev/null
 cmake --build "$place/build" --target fuzz --parallel "$(nproc)" >"$place/build.log" 2>&1 ||
     { tail -n 40 "$place/build.log"; fail "the build failed"; }
@@ -23,7 +23,7 @@ fi
 say "fuzzing for ${1:-60} seconds"
 options=(-max_len=1000 -len_control=0 -timeout=120 -report_slow_units=120 -rss_limit_mb=4096
          "-artifact_prefix=$place/found/")
-if ! "$place/build/fuzz" "-max_total_time=${1:-60}" "${options[@]}" "$place/corpus" "$root/misc/fuzz/corpus" \
+if ! "$place/build/fuzz" "-max_total_time=${1:-60}" "${options[@]}" "$place/corpus" "$root/tools/fuzz/corpus" \
         >"$place/fuzz.log" 2>&1; then
     tail -n 40 "$place/fuzz.log"
     fail "a defect; repeat it with scripts/fuzz.sh $(ls -t "$place"/found/* | head -n 1)"

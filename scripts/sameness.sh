@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks that results do not depend on threads, parallel back ends, processors, compilers, their options and
-# versions of OpenCV: prints a hash for each of 200 cases (misc/checks/sameness.cpp) in all these ways and compares.
+# versions of OpenCV: prints a hash for each of 200 cases (tools/checks/sameness.cpp) in all these ways and compares.
 #   scripts/sameness.sh
 # The pthreads of OpenCV 4.6.0, and 4.10.0, take part where scripts/test.sh has built them.
 # The last line is "N passed, N failed".
@@ -13,14 +13,14 @@ place=$cache/sameness
 build_module() { # NAME COMPILER FLAGS INCLUDES...
     say "building the module, $1"
     mkdir -p "$place/$1"
-    (cd "$place/$1" && printf '%s\0' "$root"/src/*.cpp |
-        xargs -0 -n 1 -P "$(nproc)" "$2" -std=c++11 -fPIC $3 -I"$root/include" "${@:4}" -c &&
+    (cd "$place/$1" && find "$root/src" -name '*.cpp' -print0 |
+        xargs -0 -n 1 -P "$(nproc)" "$2" -std=c++11 -fPIC $3 -I"$root/include" -I"$root/src" "${@:4}" -c &&
         "$2" -shared *.o -o libgwatershed.so) || fail "the build failed"
 }
 
 # Builds the program, once for each OpenCV: all modules for that are loaded by the same one.
 build_program() { # NAME MODULE FLAGS...
-    g++ -std=c++11 -O2 -fopenmp -I"$root/include" "$root"/misc/checks/{sameness,images}.cpp -o "$place/$1" \
+    g++ -std=c++11 -O2 -fopenmp -I"$root/include" "$root"/tools/checks/{sameness,images}.cpp -o "$place/$1" \
         "${@:3}" -L"$place/$2" -Wl,--no-as-needed -lgwatershed -lopencv_imgproc -lopencv_core
 }
 

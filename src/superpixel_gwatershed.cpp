@@ -2,13 +2,17 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "input.hpp"
-#include "merge_hierarchy.hpp"
-#include "output.hpp"
-#include "plain_watershed.hpp"
-#include "region_settings.hpp"
-#include "region_watershed.hpp"
-#include "steps.hpp"
+#include "arguments.hpp"
+#include "conversion.hpp"
+#include "gwatershed/gwatershed.hpp"
+#include "results/adjacency.hpp"
+#include "results/contours.hpp"
+#include "results/merge_hierarchy.hpp"
+#include "results/merge_small.hpp"
+#include "results/statistics.hpp"
+#include "rgwatershed/rgwatershed.hpp"
+#include "rgwatershed/tuning.hpp"
+#include "shared/user_markers.hpp"
 
 #include <new>
 
@@ -38,9 +42,9 @@ public:
     void reserve(Size size)
     {
         if (parameters_.algorithm == GWATERSHED)
-            plain_.reserve(size);
+            gwatershed_.reserve(size);
         else
-            region_guided_.reserve(size);
+            rgwatershed_.reserve(size);
         labels_.create(size, CV_32SC1);
     }
 
@@ -104,7 +108,7 @@ public:
             if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
             {
                 Mat part = mask(bounds_);
-                plain_.drawLines(part);
+                gwatershed_.drawLines(part);
             }
         });
     }
@@ -164,7 +168,7 @@ public:
     }
 
     void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
-                      OutputArray heights) const CV_OVERRIDE
+                      OutputArray contrasts) const CV_OVERRIDE
     {
         checkSegmented();
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, labels_.size()));
@@ -173,7 +177,7 @@ public:
         const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
         checkTable(pairs, CV_32SC1, false, "pairs");
         checkTable(lengths, CV_32SC1, true, "lengths");
-        checkTable(heights, CV_32FC1, true, "heights");
+        checkTable(contrasts, CV_32FC1, true, "contrasts");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
@@ -184,7 +188,7 @@ public:
                                used_.alphaWeight(), tables[0], tables[1], tables[2]);
             give(tables[0], pairs);
             give(tables[1], lengths);
-            give(tables[2], heights);
+            give(tables[2], contrasts);
         });
     }
 
@@ -201,14 +205,14 @@ public:
     int getAlgorithm() const CV_OVERRIDE { return parameters_.algorithm; }
     void setRegionSize(int region_size) CV_OVERRIDE { parameters_.setRegionSize(region_size); }
     int getRegionSize() const CV_OVERRIDE { return parameters_.region_size; }
-    void setNumSuperpixels(int number) CV_OVERRIDE { parameters_.setNumSuperpixels(number); }
-    int getNumSuperpixels() const CV_OVERRIDE { return parameters_.num_superpixels; }
+    void setDesiredSuperpixels(int number) CV_OVERRIDE { parameters_.setDesiredSuperpixels(number); }
+    int getDesiredSuperpixels() const CV_OVERRIDE { return parameters_.num_superpixels; }
     void setRuler(float ruler) CV_OVERRIDE { parameters_.setRuler(ruler); }
     float getRuler() const CV_OVERRIDE { return parameters_.ruler; }
     void setAlpha(float alpha) CV_OVERRIDE { parameters_.setAlpha(alpha); }
     float getAlpha() const CV_OVERRIDE { return parameters_.alpha; }
-    void setUniformColor(bool uniform) CV_OVERRIDE { parameters_.uniform_color = uniform; }
-    bool getUniformColor() const CV_OVERRIDE { return parameters_.uniform_color; }
+    void setLabInput(bool uniform) CV_OVERRIDE { parameters_.lab_input = uniform; }
+    bool getLabInput() const CV_OVERRIDE { return parameters_.lab_input; }
     void setTemporal(bool temporal) CV_OVERRIDE { parameters_.temporal = temporal; }
     bool getTemporal() const CV_OVERRIDE { return parameters_.temporal; }
     void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
@@ -335,9 +339,9 @@ private:
         now.size = image.size();
         now.num_superpixels = frame.num_superpixels;
         const bool temporal = used_.temporal && markers_.empty();
-        frame.follows = temporal && now == last;
-        num_labels_ = used_.algorithm == GWATERSHED ? plain_.run(frame, used_, part)
-                                                    : region_guided_.run(frame, used_, num_iterations, part);
+        frame.continues = temporal && now == last;
+        num_labels_ = used_.algorithm == GWATERSHED ? gwatershed_.run(frame, used_, part)
+                                                    : rgwatershed_.run(frame, used_, num_iterations, part);
         if (!frame.mask.empty())
             max(part, Scalar(-1), part);
         if (temporal)
@@ -364,15 +368,9 @@ private:
 
     void buildHierarchy(const Mat& labels)
     {
-        const gws::RegionDistance distance = gws::floodDistance(used_.alpha, true);
-        if (used_.algorithm == GWATERSHED)
-        {
-            gws::Padded<gws::Feature> features;
-            plain_.makeFeatures(used_.uniform_color, features);
-            hierarchy_.build(features, distance, labels, num_labels_);
-        }
-        else
-            hierarchy_.build(region_guided_.features(), distance, labels, num_labels_);
+        const gws::Padded<gws::Feature> features = used_.algorithm == GWATERSHED
+                ? gwatershed_.features(used_.lab_input) : rgwatershed_.features();
+        hierarchy_.build(features, gws::floodDistance(used_.alpha, true), labels, num_labels_);
     }
 
     gws::Parameters parameters_;
@@ -391,8 +389,8 @@ private:
     Last last_;
 
     // The algorithms, and buffers that stay from one image to the next.
-    gws::PlainWatershed plain_;
-    gws::RegionWatershed region_guided_;
+    gws::GWatershed gwatershed_;
+    gws::RGWatershed rgwatershed_;
     Mat converted_, scaled_, numbered_;
 };
 
@@ -408,7 +406,7 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
              "image_channels must be 1, 3 or 4");
     gws::checkSize(image_width, image_height);
     gws::Parameters parameters;
-    parameters.setNumSuperpixels(num_superpixels);
+    parameters.setDesiredSuperpixels(num_superpixels);
     parameters.setAlgorithm(algorithm);
     parameters.setRuler(ruler);
 

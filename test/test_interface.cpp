@@ -55,7 +55,7 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_parameters_and_keeps_the_old
     EXPECT_REFUSED(gws->setAlgorithm(7), "algorithm");
     EXPECT_REFUSED(gws->setRegionSize(0), "region_size");
     EXPECT_REFUSED(gws->setRegionSize(-5), "region_size");
-    EXPECT_REFUSED(gws->setNumSuperpixels(0), "num_superpixels");
+    EXPECT_REFUSED(gws->setDesiredSuperpixels(0), "num_superpixels");
     const float wrong_rulers[] = { -1.f, nan, inf };
     for (int i = 0; i < 3; i++)
     {
@@ -69,7 +69,7 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_parameters_and_keeps_the_old
     EXPECT_REFUSED(gws->setDepthRange(5, 5), "far_depth");
     EXPECT_EQ(GetParam(), gws->getAlgorithm());
     EXPECT_EQ(7, gws->getRegionSize());
-    EXPECT_EQ(0, gws->getNumSuperpixels());
+    EXPECT_EQ(0, gws->getDesiredSuperpixels());
     EXPECT_EQ(3.f, gws->getRuler());
     EXPECT_EQ(0.5f, gws->getAlpha());
     EXPECT_EQ(0.f, gws->getNearDepth());
@@ -118,7 +118,7 @@ TEST_P(ximgproc_GWatershed_interface, says_that_there_is_nothing_yet)
         EXPECT_EQ(20, gws->getNumberOfSuperpixels());
         gws->clear(); // and from here on as at the beginning
     }
-    EXPECT_EQ(20, gws->getNumSuperpixels());
+    EXPECT_EQ(20, gws->getDesiredSuperpixels());
 }
 
 TEST_P(ximgproc_GWatershed_interface, contour_masks_show_every_boundary)
@@ -221,7 +221,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     other->read(in.root());
     EXPECT_EQ(GetParam(), other->getAlgorithm());
     EXPECT_EQ(13, other->getRegionSize());
-    EXPECT_EQ(0, other->getNumSuperpixels());
+    EXPECT_EQ(0, other->getDesiredSuperpixels());
     EXPECT_EQ(4.5f, other->getRuler());
     EXPECT_EQ(0.75f, other->getAlpha());
     EXPECT_EQ(400.5f, other->getNearDepth());
@@ -243,7 +243,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
         const FileStorage in_wrong(wrong, FileStorage::READ | FileStorage::MEMORY);
         EXPECT_REFUSED(other->read(in_wrong.root()), "region_size");
     }
-    const String no_integers[] = { "algorithm", "region_size", "num_superpixels", "uniform_color", "temporal" };
+    const String no_integers[] = { "algorithm", "region_size", "num_superpixels", "lab_input", "temporal" };
     for (int i = 0; i < 5; i++)
     {
         wrong = text;

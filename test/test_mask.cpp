@@ -22,7 +22,7 @@ TEST_P(ximgproc_GWatershed_mask, labels_the_inside_with_connected_superpixels)
         const int inside = countNonZero(mask), k = rng.uniform(1, 1 + size.area() / rng.uniform(1, 200));
 
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam());
-        gws->setNumSuperpixels(k);
+        gws->setDesiredSuperpixels(k);
         gws->setMask(mask);
         if (i % 2)
             gws->iterate(1 + i % 4);
@@ -73,8 +73,8 @@ TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
         const Mat other_before = other.clone(), other_depth_before = other_depth.clone();
         gws->iterate(other, other_depth, 2);
         EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << "kind " << i % MASK_KINDS << ", " << size;
-        Mat pairs, lengths, heights;
-        gws->getAdjacency(other, other_depth, pairs, lengths, heights);
+        Mat pairs, lengths, contrasts;
+        gws->getAdjacency(other, other_depth, pairs, lengths, contrasts);
         EXPECT_TRUE(equalMats(other_before, other));
         EXPECT_TRUE(equalMats(other_depth_before, other_depth));
     }
@@ -138,17 +138,17 @@ TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
     EXPECT_EQ(0, gws->getNumberOfSuperpixels());
     EXPECT_FALSE(gws->empty());
     EXPECT_EQ(0, cvtest::norm(labelsOf(gws), Mat(image.size(), CV_32SC1, Scalar(-1)), NORM_INF));
-    Mat contours, lines, stats, centroids, colors, pairs, lengths, heights;
+    Mat contours, lines, stats, centroids, colors, pairs, lengths, contrasts;
     gws->getWatershedLineMask(lines);
     EXPECT_EQ(0, countNonZero(lines));
     gws->getLabelContourMask(contours);
     EXPECT_EQ(0, countNonZero(contours));
     gws->getStatistics(image, noArray(), stats, centroids, colors, noArray());
     EXPECT_TRUE(stats.empty() && centroids.empty() && colors.empty());
-    gws->getAdjacency(image, noArray(), pairs, lengths, heights);
-    EXPECT_TRUE(pairs.empty() && lengths.empty() && heights.empty());
+    gws->getAdjacency(image, noArray(), pairs, lengths, contrasts);
+    EXPECT_TRUE(pairs.empty() && lengths.empty() && contrasts.empty());
     EXPECT_EQ(CV_32SC1, pairs.type());
-    EXPECT_EQ(CV_32FC1, heights.type());
+    EXPECT_EQ(CV_32FC1, contrasts.type());
     EXPECT_EQ(5, stats.cols);
     EXPECT_EQ(CV_64FC1, centroids.type());
     gws->enforceLabelConnectivity();
@@ -164,7 +164,7 @@ TEST_P(ximgproc_GWatershed_mask, more_specks_than_superpixels)
     for (int i = 0; i < 20; i++)
         mask.at<uchar>(62, 3 + 500 * i) = 1;
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
-    gws->setNumSuperpixels(10);
+    gws->setDesiredSuperpixels(10);
     gws->setMask(mask);
     gws->iterate();
     EXPECT_EQ(21, gws->getNumberOfSuperpixels());

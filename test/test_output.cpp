@@ -67,7 +67,7 @@ TEST_P(ximgproc_GWatershed_output, refuses_what_cannot_hold_a_result_before_anyt
     EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], tables[2], bytes), "mean_depths must be");
     EXPECT_REFUSED(gws->getAdjacency(image, depth, bytes, tables[1], tables[2]), "pairs must be");
     EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], bytes, tables[2]), "lengths must be");
-    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], tables[1], bytes), "heights must be");
+    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], tables[1], bytes), "contrasts must be");
     EXPECT_REFUSED(gws->getAdjacency(image, depth, labels, tables[1], tables[2]), "pairs must be");
     for (int i = 0; i < 4; i++)
         EXPECT_TRUE(tables[i].empty());

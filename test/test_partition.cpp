@@ -71,7 +71,7 @@ TEST_P(ximgproc_GWatershed_partition, takes_long_strips_in_linear_time)
             gws->iterate();
             strip_time.stop();
             expectPartition(labelsOf(gws), strip.size(), gws->getNumberOfSuperpixels());
-            gws->setNumSuperpixels(gws->getNumberOfSuperpixels());
+            gws->setDesiredSuperpixels(gws->getNumberOfSuperpixels());
             square_time.start();
             gws->iterate(square);
             square_time.stop();

@@ -147,11 +147,11 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
         gws->setAlpha(0.25f);
         gws->iterate();
         gws->setAlpha(0.75f); // not before the next iterate()
-        Mat pairs, lengths, heights;
-        gws->getAdjacency(image, depth, pairs, lengths, heights);
+        Mat pairs, lengths, contrasts;
+        gws->getAdjacency(image, depth, pairs, lengths, contrasts);
 
         const Mat labels = labelsOf(gws);
-        std::map<std::pair<int, int>, std::pair<int, double> > expected; // pair of labels: length, sum of heights
+        std::map<std::pair<int, int>, std::pair<int, double> > expected; // pair of labels: length, sum of contrasts
         for (int y = 0; y < size.height; y++)
             for (int x = 0; x < size.width; x++)
                 for (int k = 0; k < 2; k++)
@@ -172,10 +172,10 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
             continue;
         ASSERT_EQ(CV_32SC1, pairs.type());
         ASSERT_EQ(CV_32SC1, lengths.type());
-        ASSERT_EQ(CV_32FC1, heights.type());
+        ASSERT_EQ(CV_32FC1, contrasts.type());
         ASSERT_EQ(Size(2, pairs.rows), pairs.size());
         ASSERT_EQ(Size(1, pairs.rows), lengths.size());
-        ASSERT_EQ(Size(1, pairs.rows), heights.size());
+        ASSERT_EQ(Size(1, pairs.rows), contrasts.size());
         int row = 0;
         std::map<std::pair<int, int>, std::pair<int, double> >::iterator e = expected.begin();
         for (; e != expected.end(); ++e, row++)
@@ -183,7 +183,7 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
             EXPECT_EQ(e->first.first, pairs.at<int>(row, 0));
             EXPECT_EQ(e->first.second, pairs.at<int>(row, 1));
             EXPECT_EQ(e->second.first, lengths.at<int>(row));
-            EXPECT_NEAR(e->second.second / e->second.first, heights.at<float>(row), 1e-4);
+            EXPECT_NEAR(e->second.second / e->second.first, contrasts.at<float>(row), 1e-4);
         }
     }
 }
@@ -198,11 +198,11 @@ TEST_P(ximgproc_GWatershed_pipeline, heights_do_not_see_depth_outside_of_the_mas
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
     gws->setMask(mask);
     gws->iterate(image, depth);
-    Mat pairs, lengths, heights, heights_of_other;
-    gws->getAdjacency(image, depth, pairs, lengths, heights);
-    gws->getAdjacency(image, other, pairs, lengths, heights_of_other);
+    Mat pairs, lengths, contrasts, contrasts_of_other;
+    gws->getAdjacency(image, depth, pairs, lengths, contrasts);
+    gws->getAdjacency(image, other, pairs, lengths, contrasts_of_other);
     EXPECT_GT(pairs.rows, 20);
-    EXPECT_TRUE(equalMats(heights, heights_of_other));
+    EXPECT_TRUE(equalMats(contrasts, contrasts_of_other));
 }
 
 //! Number of pieces of a graph of n nodes.

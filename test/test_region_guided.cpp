@@ -133,16 +133,16 @@ TEST(ximgproc_SuperpixelGWatershed, takes_uniform_colours_as_they_are)
     Mat lab;
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(120, 90, 3, 108, RGWATERSHED);
     double ev_as_bgr = 0, ev_as_lab = 0;
-    EXPECT_FALSE(gws->getUniformColor());
+    EXPECT_FALSE(gws->getLabInput());
     for (int i = 0; i < SCENES; i++)
     {
         const Mat image = makeScene(Size(120, 90), theRNG());
         cvtColor(image, lab, COLOR_BGR2Lab);
-        gws->setUniformColor(false);
+        gws->setLabInput(false);
         gws->iterate(lab);
         const Mat as_bgr = labelsOf(gws);
-        gws->setUniformColor(true);
-        EXPECT_TRUE(gws->getUniformColor());
+        gws->setLabInput(true);
+        EXPECT_TRUE(gws->getLabInput());
         gws->iterate(lab);
         EXPECT_FALSE(equalMats(as_bgr, labelsOf(gws)));
         ev_as_bgr += explainedVariation(as_bgr, image);

@@ -6,7 +6,7 @@
 
 namespace opencv_test { namespace {
 
-// Images and superpixels of extreme size and shape. misc/checks/scale.cpp has those that take much memory.
+// Images and superpixels of extreme size and shape. tools/checks/scale.cpp has those that take much memory.
 
 typedef testing::TestWithParam<int> ximgproc_GWatershed_scale;
 
@@ -55,7 +55,7 @@ TEST_P(ximgproc_GWatershed_scale, gives_any_number_up_to_one_for_each_pixel)
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(160, 120, 3, 1, GetParam());
     for (int k = 2000; k <= pixels; k = k < pixels ? std::min(2 * k, pixels) : k + 1)
     {
-        gws->setNumSuperpixels(k);
+        gws->setDesiredSuperpixels(k);
         gws->iterate(image, 2);
         expectPartition(labelsOf(gws), image.size(), k);
         gws->mergeSimilar(k / 2);

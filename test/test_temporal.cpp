@@ -117,7 +117,7 @@ TEST_P(ximgproc_GWatershed_temporal, starts_anew_where_there_is_nothing_to_follo
     EXPECT_TRUE(equalMats(segmentAnew(of_other_size, GetParam(), 80), labelsOf(gws)));
 
     gws->iterate(first);
-    gws->setNumSuperpixels(50);
+    gws->setDesiredSuperpixels(50);
     gws->iterate(first);
     EXPECT_TRUE(equalMats(segmentAnew(first, GetParam(), 50), labelsOf(gws)));
 

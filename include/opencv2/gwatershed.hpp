@@ -29,10 +29,10 @@ namespace ximgproc
 //! Algorithms of SuperpixelGWatershed.
 enum GWatershedType
 {
-    //! Algorithm 1 of @cite Jiang2015 : the height of a pixel is its distance to the neighbour that
+    //! Algorithm 1 of @cite Jiang2015 : the priority of a pixel is its distance to the neighbour that
     //! reaches it. One pass; `ruler` and `num_iterations` have no effect.
     GWATERSHED = 200,
-    //! Region-guided: the height of a pixel is its distance to the mean of the region that reaches
+    //! Region-guided: the priority of a pixel is its distance to the mean of the region that reaches
     //! it. The default, and better in every measure of quality.
     RGWATERSHED = 201
 };
@@ -56,7 +56,7 @@ enum GWatershedType
    blocks of 2x2 or 4x4 pixels where superpixels are large enough.
 2. Markers: four for each superpixel asked for, one in each cell of a grid of blocks, away from
    high gradients.
-3. A flood of the blocks through first-in first-out queues, one for each height. The height of a
+3. A flood of the blocks through first-in first-out queues, one for each priority. The priority of a
    block is its distance to the mean of the region that reaches it, plus its distance to the marker.
 4. The most similar neighbours are merged until as many regions are left as superpixels are asked for.
 5. The boundary is settled from blocks down to pixels: its pixels go to the neighbouring region
@@ -64,7 +64,7 @@ enum GWatershedType
    does more of that.
 
 **GWATERSHED** is Algorithm 1 of the paper, kept exactly for comparison: gradient map, one marker
-for each superpixel at a low gradient, and a flood where the height of a pixel is its distance to the
+for each superpixel at a low gradient, and a flood where the priority of a pixel is its distance to the
 neighbour that reaches it, equations (1) to (4). The watershed lines, where two floods meet, go
 to the most similar neighbour at the end.
 
@@ -78,7 +78,7 @@ of the user, and labels that stay from frame to frame.
 **Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
 ignored), as Mat or UMat. White is 255, 65535 or 1.0, and so is what is larger; NaN is black. The image is
 brought to 8 bits; stretch one that uses a small part of its range beforehand. Three channels are BGR, and
-RGWATERSHED converts them itself: give it images as imread() or a camera does, or see setUniformColor(). GWATERSHED
+RGWATERSHED converts them itself: give it images as imread() or a camera does, or see setLabInput(). GWATERSHED
 compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
 than 2^31 - 3.
 
@@ -222,7 +222,7 @@ public:
     d is the distance of the mean colours and depths, n the number of pixels, l the length of the common
     boundary in pixel edges and h the mean difference of the pixels on both sides of it. d, a root of a sum of
     squares, and h, a sum, are in 8-bit levels of the opponent space in which RGWATERSHED works, with lightness
-    halved, or of the colours as they are after setUniformColor(true); alpha weighs depth as it does there. It is
+    halved, or of the colours as they are after setLabInput(true); alpha weighs depth as it does there. It is
     computed with logarithms in steps of 1/64 of a doubling, and a pair whose cost falls without a longer boundary
     is noticed late in superpixels of more than 32 neighbours.
 
@@ -257,21 +257,21 @@ public:
 
     /** @brief Lists the superpixels that touch: the region adjacency graph.
 
-    @param image Image of the size of the label map, of a type that iterate() takes, for the heights: the one that
-    was segmented, or another one. Empty (noArray(), None in Python): no heights.
+    @param image Image of the size of the label map, of a type that iterate() takes, for the contrasts: the one that
+    was segmented, or another one. Empty (noArray(), None in Python): no contrasts.
     @param depth Depth of that image, with the range and alpha of the last iterate(). Empty: colour alone. It must be
     empty where image is.
     @param pairs M x 2 CV_32SC1: labels a < b of two superpixels with a common boundary, in rows
     sorted by a, then b. Pixels touch if they are 4-neighbours.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
-    @param heights M x 1 CV_32FC1, mean height of the boundary: the mean of the distance of the pixels on both
+    @param contrasts M x 1 CV_32FC1, contrast of the boundary: the mean of the distance of the pixels on both
     sides of its edges, equations (1) to (3) of the paper, 0..255.
 
     Without a mask or markers of the user the graph is connected. A table without rows is None in Python. Throws
     cv::Exception before the first iterate().
     */
     CV_WRAP virtual void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
-                                      OutputArray heights = noArray()) const = 0;
+                                      OutputArray contrasts = noArray()) const = 0;
 
     //! @}
 
@@ -318,7 +318,7 @@ public:
     /** @brief The algorithm, one of #GWatershedType. @see setAlgorithm */
     CV_WRAP virtual int getAlgorithm() const = 0;
 
-    /** @brief Asks for superpixels of a mean size; replaces what setNumSuperpixels() asked for.
+    /** @brief Asks for superpixels of a mean size; replaces what setDesiredSuperpixels() asked for.
     @param region_size Side in pixels of the square that a superpixel fills on the mean, 1 or more:
     N is the integer nearest to W * H / region_size^2, at least 1. */
     CV_WRAP virtual void setRegionSize(int region_size) = 0;
@@ -328,9 +328,9 @@ public:
     /** @brief Asks for a number of superpixels; replaces what setRegionSize() asked for.
     @param num_superpixels Number of superpixels, 1 or more. It is met exactly; an image with fewer
     pixels gets one superpixel for each pixel. */
-    CV_WRAP virtual void setNumSuperpixels(int num_superpixels) = 0;
-    /** @brief Number asked for, or 0 where a region size is asked for. @see setNumSuperpixels */
-    CV_WRAP virtual int getNumSuperpixels() const = 0;
+    CV_WRAP virtual void setDesiredSuperpixels(int num_superpixels) = 0;
+    /** @brief Number asked for, or 0 where a region size is asked for. @see setDesiredSuperpixels */
+    CV_WRAP virtual int getDesiredSuperpixels() const = 0;
 
     /** @brief Sets the compactness.
     @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone,
@@ -359,9 +359,9 @@ public:
     @param uniform If false, the default, images are BGR and RGWATERSHED converts them to an
     opponent space. If true, it takes the channels as they are: lightness and two colour
     differences, for example CIELAB as cv::cvtColor makes it. GWATERSHED never converts. */
-    CV_WRAP virtual void setUniformColor(bool uniform) = 0;
-    /** @brief Whether images come in a perceptually uniform colour space. @see setUniformColor */
-    CV_WRAP virtual bool getUniformColor() const = 0;
+    CV_WRAP virtual void setLabInput(bool uniform) = 0;
+    /** @brief Whether images come in a perceptually uniform colour space. @see setLabInput */
+    CV_WRAP virtual bool getLabInput() const = 0;
 
     /** @brief Sets whether superpixels keep their labels from frame to frame.
     @param temporal If true, each iterate() of an image goes on from the segmentation of the last one: a
@@ -415,7 +415,7 @@ public:
 Images of another size are taken as well.
 @param image_height Height in pixels, 1 or more.
 @param image_channels 1, 3 or 4; images with another number of these are taken as well.
-@param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setNumSuperpixels.
+@param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setDesiredSuperpixels.
 @param algorithm One of #GWatershedType.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 */

@@ -11,11 +11,12 @@ endif()
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc OPTIONAL_COMPONENTS imgcodecs videoio highgui ximgproc)
 
-file(GLOB gwatershed_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+file(GLOB_RECURSE gwatershed_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 option(BUILD_SHARED_LIBS "Build a shared library" ON)
 add_library(opencv_gwatershed ${gwatershed_sources})
 target_include_directories(opencv_gwatershed PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_include_directories(opencv_gwatershed PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(opencv_gwatershed PUBLIC opencv_core opencv_imgproc)
 set_target_properties(opencv_gwatershed PROPERTIES
   DEFINE_SYMBOL CVAPI_EXPORTS

@@ -193,10 +193,10 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
             if (i + WIDTH < labels.length && labels[i] != labels[i + WIDTH])
                 edges++;
         }
-        Mat pairs = new Mat(), lengths = new Mat(), heights = new Mat();
-        gws.getAdjacency(image, new Mat(), pairs, lengths, heights);
+        Mat pairs = new Mat(), lengths = new Mat(), contrasts = new Mat();
+        gws.getAdjacency(image, new Mat(), pairs, lengths, contrasts);
         assertEquals(edges, (int) Core.sumElems(lengths).val[0]);
-        assertEquals(pairs.rows(), heights.rows());
+        assertEquals(pairs.rows(), contrasts.rows());
         for (int i = 0; i < pairs.rows(); i++)
             assertTrue(pairs.get(i, 0)[0] < pairs.get(i, 1)[0]);
     }
@@ -218,19 +218,19 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         gws.setAlgorithm(Gwatershed.GWATERSHED);
         gws.setRegionSize(9);
         assertEquals(9, gws.getRegionSize());
-        gws.setNumSuperpixels(77);
+        gws.setDesiredSuperpixels(77);
         gws.setRuler(3.5f);
         gws.setAlpha(0.75f);
-        gws.setUniformColor(true);
+        gws.setLabInput(true);
         gws.setTemporal(true);
         gws.setDepthRange(400, 4000);
         gws.setBorderThreshold(100);
         assertEquals(Gwatershed.GWATERSHED, gws.getAlgorithm());
         assertEquals(0, gws.getRegionSize());
-        assertEquals(77, gws.getNumSuperpixels());
+        assertEquals(77, gws.getDesiredSuperpixels());
         assertEquals(3.5f, gws.getRuler());
         assertEquals(0.75f, gws.getAlpha());
-        assertTrue(gws.getUniformColor());
+        assertTrue(gws.getLabInput());
         assertTrue(gws.getTemporal());
         assertEquals(400f, gws.getNearDepth());
         assertEquals(4000f, gws.getFarDepth());

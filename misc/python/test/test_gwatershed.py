@@ -27,21 +27,21 @@ METHODS = {
     "mergeSimilar": ["(num_superpixels) -> None"],
     "getStatistics": ["(image, depth[, stats[, centroids[, mean_colors[, mean_depths]]]])"
                       " -> stats, centroids, mean_colors, mean_depths"],
-    "getAdjacency": ["(image, depth[, pairs[, lengths[, heights]]]) -> pairs, lengths, heights"],
+    "getAdjacency": ["(image, depth[, pairs[, lengths[, contrasts]]]) -> pairs, lengths, contrasts"],
     "setMask": ["(mask) -> None"],
     "setMarkers": ["(markers) -> None"],
     "setAlgorithm": ["(algorithm) -> None"],
     "getAlgorithm": ["() -> retval"],
     "setRegionSize": ["(region_size) -> None"],
     "getRegionSize": ["() -> retval"],
-    "setNumSuperpixels": ["(num_superpixels) -> None"],
-    "getNumSuperpixels": ["() -> retval"],
+    "setDesiredSuperpixels": ["(num_superpixels) -> None"],
+    "getDesiredSuperpixels": ["() -> retval"],
     "setRuler": ["(ruler) -> None"],
     "getRuler": ["() -> retval"],
     "setAlpha": ["(alpha) -> None"],
     "getAlpha": ["() -> retval"],
-    "setUniformColor": ["(uniform) -> None"],
-    "getUniformColor": ["() -> retval"],
+    "setLabInput": ["(uniform) -> None"],
+    "getLabInput": ["() -> retval"],
     "setTemporal": ["(temporal) -> None"],
     "getTemporal": ["() -> retval"],
     "setDepthRange": ["(near_depth, far_depth) -> None"],
@@ -226,8 +226,8 @@ class gwatershed_test(NewOpenCVTests):
         gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.iterate()
         labels = gws.getLabels()
-        pairs, lengths, heights = gws.getAdjacency(image, None)
-        self.assertEqual((pairs.dtype, lengths.dtype, heights.dtype), (np.int32, np.int32, np.float32))
+        pairs, lengths, contrasts = gws.getAdjacency(image, None)
+        self.assertEqual((pairs.dtype, lengths.dtype, contrasts.dtype), (np.int32, np.int32, np.float32))
         edges = np.concatenate([np.stack([labels[:, :-1].ravel(), labels[:, 1:].ravel()], 1),
                                 np.stack([labels[:-1].ravel(), labels[1:].ravel()], 1)])
         edges = np.sort(edges[edges[:, 0] != edges[:, 1]], axis=1)
@@ -259,18 +259,18 @@ class gwatershed_test(NewOpenCVTests):
     def test_parameters(self):
         gws = cv.ximgproc.createSuperpixelGWatershed(make_image())
         gws.setAlgorithm(cv.ximgproc.GWATERSHED)
-        gws.setNumSuperpixels(77)
+        gws.setDesiredSuperpixels(77)
         gws.setRuler(3.5)
         gws.setAlpha(0.75)
         gws.setDepthRange(400, 4000)
         gws.setBorderThreshold(100)
         self.assertEqual(gws.getAlgorithm(), cv.ximgproc.GWATERSHED)
-        self.assertEqual((gws.getNumSuperpixels(), gws.getRegionSize()), (77, 0))
+        self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (77, 0))
         self.assertEqual((gws.getRuler(), gws.getAlpha()), (3.5, 0.75))
         self.assertEqual((gws.getNearDepth(), gws.getFarDepth()), (400, 4000))
         self.assertEqual(gws.getBorderThreshold(), 100)
         gws.setRegionSize(9)
-        self.assertEqual((gws.getNumSuperpixels(), gws.getRegionSize()), (0, 9))
+        self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (0, 9))
         self.assertEqual(gws.getDefaultName(), "SuperpixelGWatershed")
 
     def test_errors(self):

@@ -1,0 +1,56 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "gwatershed/marker_tracking.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! @note Not in the paper. Regions of less than a sixteenth of the mean area are given up, the smallest
+//! first, while there are regions of more than four times the mean: each of these, the largest first, gets a
+//! second marker and the label of one that was given up. Not so in a mask, where a small region may be all
+//! that there is in a component.
+static void exchangeMarkers(const Mat& gradient, MarkerBuffers& buffers, std::vector<Point>& markers)
+{
+    typedef std::pair<int, int> AreaAndLabel;
+    const int n = int(markers.size());
+    std::vector<Point>& points = buffers.points;
+    const std::vector<int>& starts = buffers.starts;
+    std::vector<AreaAndLabel> small, large;
+    const double mean_area = double(points.size()) / n;
+    for (int i = 0; i < n; i++)
+    {
+        const int area = starts[i + 1] - starts[i];
+        if (area < mean_area / 16)
+            small.push_back(AreaAndLabel(area, i));
+        else if (area > mean_area * 4)
+            large.push_back(AreaAndLabel(-area, i));
+    }
+    std::sort(small.begin(), small.end());
+    std::sort(large.begin(), large.end());
+
+    std::vector<Point> pair;
+    for (size_t i = 0; i < std::min(small.size(), large.size()); i++)
+    {
+        const int label = large[i].second;
+        pair.clear();
+        placeInRegion(gradient, points.begin() + starts[label], points.begin() + starts[label + 1], 2, pair);
+        markers[label] = pair[0];
+        markers[small[i].second] = pair[1];
+    }
+}
+
+void trackMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuffers& buffers,
+                  std::vector<Point>& markers)
+{
+    CV_TRACE_FUNCTION();
+    const int n = int(markers.size());
+    listPoints(labels, 0, n, buffers);
+    for (int i = 0; i < n; i++)
+        markers[i] = findMarker(gradient, buffers.points.begin() + buffers.starts[i],
+                                buffers.points.begin() + buffers.starts[i + 1], 4);
+    if (!masked)
+        exchangeMarkers(gradient, buffers, markers);
+}
+
+}}} // namespace

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_PIXEL_FLOOD_HPP
+#define OPENCV_GWATERSHED_PIXEL_FLOOD_HPP
+
+#include "gwatershed/pixel_map.hpp"
+#include "shared/bucket_queue.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The 256 queues of Algorithm 1.
+typedef BucketQueue<int, 256> PixelQueue;
+
+//! Buffers of the flood.
+struct PixelFloodBuffers
+{
+    PixelQueue queues;
+    std::vector<int> batch;
+};
+
+//! Algorithm 1: floods from the pixels that have a label. Leaves LINE and UNLABELLED pixels.
+//! A pixel whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
+CV_EXPORTS void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, PixelMap& pixels,
+                                 PixelFloodBuffers& buffers);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,25 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_WATERSHED_LINES_HPP
+#define OPENCV_GWATERSHED_WATERSHED_LINES_HPP
+
+#include "gwatershed/pixel_map.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Indices of pixels.
+struct LineBuffers
+{
+    std::vector<int> lines; //!< all that the flood left without a label
+    std::vector<int> round, later; // that are given one now, and next
+    std::vector<int> chosen; // labels of a round
+};
+
+//! Gives every pixel without a label to a neighbour.
+CV_EXPORTS void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,73 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results/adjacency.hpp"
+#include "shared/pixel.hpp"
+#include "shared/region_graph.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Contrast of neighbouring pixels: their distance, equations (1) to (3).
+struct PixelContrast
+{
+    int operator()(Point p, Point q) const { return distance(at(p), at(q), alpha); }
+
+    Pixel at(Point p) const
+    {
+        const int cn = color.channels();
+        const uchar* value = color.ptr(p.y) + size_t(p.x) * cn;
+        const Pixel pixel = { value[0], value[cn == 1 ? 0 : 1], value[cn == 1 ? 0 : 2],
+                              depth.empty() ? uchar(0) : depth.at<uchar>(p) };
+        return pixel;
+    }
+
+    const Mat& color;
+    const Mat& depth;
+    const int alpha;
+};
+
+static bool comesFirst(const RegionGraph::Boundary& a, const RegionGraph::Boundary& b)
+{
+    return a.regions[0] < b.regions[0] || (a.regions[0] == b.regions[0] && a.regions[1] < b.regions[1]);
+}
+
+static void listPairs(const RegionGraph& graph, bool with_contrasts, Mat& pairs, Mat& lengths, Mat& contrasts)
+{
+    std::vector<RegionGraph::Boundary> sorted(graph.boundaries());
+    const int count = int(sorted.size());
+    for (int i = 0; i < count; i++)
+        if (sorted[i].regions[1] < sorted[i].regions[0])
+            std::swap(sorted[i].regions[0], sorted[i].regions[1]);
+    std::sort(sorted.begin(), sorted.end(), comesFirst);
+
+    pairs.create(count, 2, CV_32SC1);
+    lengths.create(count, 1, CV_32SC1);
+    contrasts.create(with_contrasts ? count : 0, 1, CV_32FC1);
+    for (int i = 0; i < count; i++)
+    {
+        pairs.at<int>(i, 0) = sorted[i].regions[0];
+        pairs.at<int>(i, 1) = sorted[i].regions[1];
+        lengths.at<int>(i) = sorted[i].length;
+        if (with_contrasts)
+            contrasts.at<float>(i) = float(double(sorted[i].contrast) / sorted[i].length);
+    }
+}
+
+void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Mat& depth, int alpha, Mat& pairs,
+                   Mat& lengths, Mat& contrasts)
+{
+    CV_TRACE_FUNCTION();
+    RegionGraph graph;
+    graph.reset(num_labels);
+    if (color.empty())
+        addBoundaries(labels, NoContrast(), graph);
+    else
+    {
+        const PixelContrast contrast = { color, depth, alpha };
+        addBoundaries(labels, contrast, graph);
+    }
+    listPairs(graph, !color.empty(), pairs, lengths, contrasts);
+}
+
+}}} // namespace

@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results/contours.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Marks the elements of a that differ from those of b, and those of b if both is set. The outside of
+//! a mask is like the outside of the image: there is no contour between it and a superpixel.
+static void markDifferences(const int* a, const int* b, int n, uchar* mask_a, uchar* mask_b, bool both)
+{
+    for (int i = 0; i < n; i++)
+    {
+        const uchar contour = a[i] != b[i] && (a[i] | b[i]) >= 0 ? 255 : 0;
+        mask_a[i] |= contour;
+        if (both)
+            mask_b[i] |= contour;
+    }
+}
+
+void drawContours(const Mat& labels, bool thick_line, Mat& mask)
+{
+    CV_TRACE_FUNCTION();
+    const int rows = labels.rows, cols = labels.cols;
+    parallel_for_(Range(0, rows), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            const int* row = labels.ptr<int>(y);
+            const int* below = labels.ptr<int>(std::min(y + 1, rows - 1));
+            const int* above = labels.ptr<int>(std::max(y - 1, 0));
+            uchar* to = mask.ptr(y);
+            std::fill_n(to, cols, uchar(0));
+            markDifferences(row, row + 1, cols - 1, to, to + 1, thick_line);
+            markDifferences(row, below, cols, to, to, false);
+            if (thick_line)
+                markDifferences(row, above, cols, to, to, false);
+        }
+    });
+}
+
+}}} // namespace

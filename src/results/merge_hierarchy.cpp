@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results/merge_hierarchy.hpp"
+#include "shared/region_merge.hpp"
+#include "shared/renumber.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+// Found as those of RGWATERSHED; doc/log.md has the figures.
+static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
+
+//! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
+struct FeatureContrast
+{
+    int operator()(Point p, Point q) const
+    {
+        return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
+    }
+
+    const Padded<Feature>& features;
+    const RegionDistance& distance;
+};
+
+//! @note Not in the paper. Greedy merging of the region adjacency graph by Ward's criterion, as in
+//! S. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
+void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
+                           int num_labels)
+{
+    CV_TRACE_FUNCTION();
+    Regions regions;
+    regions.resize(num_labels);
+    measureRegions(features, labels, regions);
+    MergeBuffers buffers;
+    SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
+    const FeatureContrast contrast = { features, distance };
+    addBoundaries(labels, contrast, merger.graph());
+    merger.run(1);
+
+    labels.copyTo(labels_);
+    unions_ = merger.unions();
+    num_labels_ = num_labels;
+}
+
+int MergeHierarchy::cut(int num_labels, Mat& labels) const
+{
+    const size_t count = std::min(size_t(std::max(num_labels_ - num_labels, 0)), unions_.size());
+    std::vector<int> parents(num_labels_), numbers;
+    for (int i = 0; i < num_labels_; i++)
+        parents[i] = i;
+    for (size_t i = 0; i < count; i++)
+        parents[unions_[i][0]] = unions_[i][1];
+    const int left = numberRegions(parents, numbers);
+    labels_.copyTo(labels);
+    renumber(numbers, labels);
+    return left;
+}
+
+}}} // namespace

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results/merge_small.hpp"
+#include "shared/region_graph.hpp"
+#include "shared/renumber.hpp"
+#include <set>
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The neighbour with the longest common boundary; of equal ones the first label. NONE if there is none.
+static int closestNeighbor(RegionGraph& graph, int region)
+{
+    int closest = RegionGraph::NONE, longest = 0;
+    for (int i = graph.first(region); i != RegionGraph::NONE; i = graph.next(region, i))
+    {
+        const RegionGraph::Boundary& b = graph.boundaries()[i];
+        const int neighbor = b.regions[!b.side(region)];
+        if (b.length > longest || (b.length == longest && neighbor < closest))
+        {
+            longest = b.length;
+            closest = neighbor;
+        }
+    }
+    return closest;
+}
+
+int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
+{
+    CV_TRACE_FUNCTION();
+    RegionGraph graph;
+    graph.reset(num_labels);
+    std::vector<int> areas(num_labels, 0), numbers, joined;
+    addBoundaries(labels, NoContrast(), graph);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            if (labels.at<int>(y, x) >= 0)
+                areas[labels.at<int>(y, x)]++;
+
+    std::set<std::pair<int, int> > small; // area and label of the regions to merge, smallest first
+    for (int i = 0; i < num_labels; i++)
+        if (areas[i] < min_area)
+            small.insert(std::make_pair(areas[i], i));
+    while (!small.empty())
+    {
+        const int from = small.begin()->second, to = closestNeighbor(graph, from);
+        small.erase(small.begin());
+        if (to == RegionGraph::NONE)
+            continue; // it has no neighbour
+        small.erase(std::make_pair(areas[to], to));
+        graph.unite(from, to, joined);
+        areas[to] += areas[from];
+        if (areas[to] < min_area)
+            small.insert(std::make_pair(areas[to], to));
+    }
+    const int count = numberRegions(graph.parents(), numbers);
+    renumber(numbers, labels);
+    return count;
+}
+
+}}} // namespace

@@ -1,0 +1,17 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_MERGE_SMALL_HPP
+#define OPENCV_GWATERSHED_MERGE_SMALL_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Merges regions below min_area, smallest first; returns the new number of labels.
+int mergeSmallRegions(int num_labels, int min_area, Mat& labels);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,177 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "results/statistics.hpp"
+#include "shared/valid_depth.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+namespace {
+
+//! Sums over the pixels of one superpixel.
+struct Extent
+{
+    int area, left, top, right, bottom;
+    double x, y;
+
+    Extent() : area(0), left(INT_MAX), top(INT_MAX), right(-1), bottom(-1), x(0), y(0) {}
+
+    //! Adds the pixels first..last of a row.
+    void addRun(int first, int last, int row)
+    {
+        const int length = last - first + 1;
+        area += length;
+        x += 0.5 * length * (double(first) + last);
+        y += double(length) * row;
+        left = std::min(left, first);
+        right = std::max(right, last);
+        top = std::min(top, row);
+        bottom = std::max(bottom, row);
+    }
+
+    void add(const Extent& e)
+    {
+        area += e.area;
+        x += e.x;
+        y += e.y;
+        left = std::min(left, e.left);
+        right = std::max(right, e.right);
+        top = std::min(top, e.top);
+        bottom = std::max(bottom, e.bottom);
+    }
+};
+
+//! The sums of all superpixels over some rows. Rows of the image and of depth become CV_64F first:
+//! sums of integers are exact then.
+class StripeSums
+{
+public:
+    StripeSums(int num_labels, const Mat& image, const Mat& depth)
+        : image_(image), depth_(depth), channels_(image.empty() ? 0 : image.channels()), extents_(num_labels),
+          colors_(size_t(num_labels) * channels_, 0.), depths_(depth.empty() ? 0 : num_labels, 0.),
+          depth_areas_(depths_.size(), 0)
+    {
+    }
+
+    void addRows(const Mat& labels, const Range& rows)
+    {
+        Mat colors, depths;
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            if (!image_.empty())
+                image_.row(y).convertTo(colors, CV_64F);
+            if (!depth_.empty())
+                depth_.row(y).convertTo(depths, CV_64F);
+            const int* row = labels.ptr<int>(y);
+            for (int x = 0; x < labels.cols;)
+            {
+                const int label = row[x], first = x;
+                while (x < labels.cols && row[x] == label)
+                    x++;
+                if (label < 0)
+                    continue;
+                extents_[label].addRun(first, x - 1, y);
+                if (!colors.empty())
+                    addColors(colors.ptr<double>(), first, x, label);
+                if (!depths.empty())
+                    addDepths(depths.ptr<double>(), first, x, label);
+            }
+        }
+    }
+
+    void add(const StripeSums& s)
+    {
+        for (size_t i = 0; i < extents_.size(); i++)
+            extents_[i].add(s.extents_[i]);
+        for (size_t i = 0; i < colors_.size(); i++)
+            colors_[i] += s.colors_[i];
+        for (size_t i = 0; i < depths_.size(); i++)
+        {
+            depths_[i] += s.depths_[i];
+            depth_areas_[i] += s.depth_areas_[i];
+        }
+    }
+
+    void write(Mat& stats, Mat& centroids, Mat& mean_colors, Mat& mean_depths) const
+    {
+        const int n = int(extents_.size());
+        stats.create(n, CC_STAT_MAX, CV_32SC1);
+        centroids.create(n, 2, CV_64FC1);
+        mean_colors.create(channels_ ? n : 0, channels_, CV_32FC1);
+        mean_depths.create(depths_.empty() ? 0 : n, 1, CV_32FC1);
+        for (int i = 0; i < n; i++)
+        {
+            const Extent& e = extents_[i];
+            stats.at<int>(i, CC_STAT_LEFT) = e.left;
+            stats.at<int>(i, CC_STAT_TOP) = e.top;
+            stats.at<int>(i, CC_STAT_WIDTH) = e.right - e.left + 1;
+            stats.at<int>(i, CC_STAT_HEIGHT) = e.bottom - e.top + 1;
+            stats.at<int>(i, CC_STAT_AREA) = e.area;
+            centroids.at<double>(i, 0) = e.x / e.area;
+            centroids.at<double>(i, 1) = e.y / e.area;
+            for (int k = 0; k < channels_; k++)
+                mean_colors.at<float>(i, k) = float(colors_[size_t(i) * channels_ + k] / e.area);
+            if (!depths_.empty())
+                mean_depths.at<float>(i) = depth_areas_[i] ? float(depths_[i] / depth_areas_[i])
+                                                           : std::numeric_limits<float>::quiet_NaN();
+        }
+    }
+
+private:
+    void addColors(const double* row, int first, int end, int label)
+    {
+        double* sums = &colors_[size_t(label) * channels_];
+        for (int k = 0; k < channels_; k++)
+        {
+            double sum = 0;
+            for (int x = first; x < end; x++)
+                sum += row[size_t(x) * channels_ + k];
+            sums[k] += sum;
+        }
+    }
+
+    void addDepths(const double* row, int first, int end, int label)
+    {
+        for (int x = first; x < end; x++)
+            if (isValidDepth(row[x]))
+            {
+                depths_[label] += row[x];
+                depth_areas_[label]++;
+            }
+    }
+
+    const Mat image_, depth_;
+    const int channels_;
+    std::vector<Extent> extents_;
+    std::vector<double> colors_; // channels of a superpixel side by side
+    std::vector<double> depths_;
+    std::vector<int> depth_areas_;
+};
+
+} // namespace
+
+//! One pass in stripes of rows. Their number depends on the label map alone, so that sums of floats
+//! do not depend on the number of threads.
+void measureSuperpixels(const Mat& labels, int num_labels, const Mat& image, const Mat& depth, Mat& stats,
+                        Mat& centroids, Mat& mean_colors, Mat& mean_depths)
+{
+    CV_TRACE_FUNCTION();
+    const int MAX_STRIPES = 16, PIXELS_PER_SUM = 16;
+    const double affordable = double(labels.rows) * labels.cols / (double(PIXELS_PER_SUM) * std::max(num_labels, 1));
+    const int stripes = std::max(1, int(std::min(affordable, double(std::min(MAX_STRIPES, labels.rows)))));
+    std::vector<StripeSums> sums(stripes, StripeSums(num_labels, image, depth));
+    parallel_for_(Range(0, stripes), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            const int first = int(int64(labels.rows) * i / stripes);
+            sums[i].addRows(labels, Range(first, int(int64(labels.rows) * (i + 1) / stripes)));
+        }
+    });
+    for (int i = 1; i < stripes; i++)
+        sums[0].add(sums[i]);
+    sums[0].write(stats, centroids, mean_colors, mean_depths);
+}
+
+}}} // namespace

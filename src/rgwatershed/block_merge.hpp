@@ -1,0 +1,19 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_BLOCK_MERGE_HPP
+#define OPENCV_GWATERSHED_BLOCK_MERGE_HPP
+
+#include "shared/region_merge.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Merges the most similar neighbours until num_regions are left.
+//! length_exponent, in 1/16, is how much a long common boundary counts.
+CV_EXPORTS void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
+                         MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
+
+}}} // namespace
+
+#endif

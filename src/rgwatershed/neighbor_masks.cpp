@@ -1,0 +1,58 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "rgwatershed/neighbor_masks.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Each neighbour of a pixel lies in its block or in one of the neighbours of that.
+static uchar findMaskInBlock(int block_mask, int pixel)
+{
+    const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
+    const int x = pixel % 2, y = pixel / 2;
+    int mask = 0;
+    for (int k = 0; k < 8; k++)
+    {
+        const int block_x = (x + DX[k] + 2) / 2 - 1, block_y = (y + DY[k] + 2) / 2 - 1;
+        bool same = block_x == 0 && block_y == 0;
+        for (int j = 0; j < 8 && !same; j++)
+            same = DX[j] == block_x && DY[j] == block_y && ((block_mask >> j) & 1);
+        mask |= same << k;
+    }
+    return uchar(mask);
+}
+
+MaskTable::MaskTable()
+{
+    for (int mask = 0; mask < 256; mask++)
+    {
+        int agreement = 0, four = 0, pieces = 0;
+        first_[mask] = last_[mask] = 0;
+        for (int k = 7; k >= 0; k--)
+            first_[mask] = (mask >> k) & 1 ? uchar(k) : first_[mask];
+        for (int k = 0; k < 8; k++)
+        {
+            last_[mask] = (mask >> k) & 1 ? uchar(k) : last_[mask];
+            const bool here = (mask >> k) & 1, corner = (mask >> ((k + 7) & 7)) & 1;
+            const bool before = (mask >> ((k + 6) & 7)) & 1;
+            agreement += here ? 1 + (k & 1) : 0;
+            four += (k & 1) && here;
+            // A 4-neighbour begins a piece unless the one before it reaches it over the corner.
+            pieces += (k & 1) && here && !(corner && before);
+        }
+        agreement_[mask] = uchar(agreement);
+        is_tip_[mask] = four == 1;
+        can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
+        for (int pixel = 0; pixel < 4; pixel++)
+            in_block_[mask][pixel] = findMaskInBlock(mask, pixel);
+    }
+}
+
+const MaskTable& maskTable()
+{
+    static const MaskTable table;
+    return table;
+}
+
+}}} // namespace

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
+#define OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
+//! its 4-neighbours. A mask tells which of them have a label.
+inline int neighborMask(const int* pixel, int step, int label)
+{
+    return (pixel[-step - 1] == label) | (pixel[-step] == label) << 1 | (pixel[-step + 1] == label) << 2 |
+           (pixel[1] == label) << 3 | (pixel[step + 1] == label) << 4 | (pixel[step] == label) << 5 |
+           (pixel[step - 1] == label) << 6 | (pixel[-1] == label) << 7;
+}
+
+//! What a pixel must know of the mask of its neighbours with one label.
+class MaskTable
+{
+public:
+    enum { FOUR_NEIGHBORS = 0xAA, ALL_AGREE = 12 };
+
+    MaskTable();
+
+    //! Whether a region that has the neighbours in the mask stays one piece if it loses the pixel in the middle, which
+    //! is at its boundary: the 4-neighbours are connected within the window, and there is one.
+    bool canLeave(int mask) const { return can_leave_[mask]; }
+
+    //! Boundary that the pixel would not have if it had the label, too, in quarters of an edge: two
+    //! for each 4-neighbour and one for each diagonal one.
+    int agreement(int mask) const { return agreement_[mask]; }
+
+    //! The lowest and the highest bit of a mask that is not 0.
+    int first(int mask) const { return first_[mask]; }
+    int last(int mask) const { return last_[mask]; }
+
+    //! Whether three of the 4-neighbours are not in the mask.
+    bool isTip(int mask) const { return is_tip_[mask]; }
+
+    //! Mask of one of the pixels of a block, which are numbered in raster order, by the mask of the block.
+    int maskInBlock(int mask, int pixel) const { return in_block_[mask][pixel]; }
+
+private:
+    uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256], in_block_[256][4];
+};
+
+const MaskTable& maskTable();
+
+}}} // namespace
+
+#endif

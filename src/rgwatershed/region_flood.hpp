@@ -1,0 +1,45 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGION_FLOOD_HPP
+#define OPENCV_GWATERSHED_REGION_FLOOD_HPP
+
+#include "shared/bucket_queue.hpp"
+#include "shared/grid_markers.hpp"
+#include "shared/region_distance.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Buffers of a flood.
+struct FloodBuffers
+{
+    enum { PRIORITIES = 1024 };
+
+    struct Band
+    {
+        BucketQueue<Point, PRIORITIES> queues;
+        std::vector<Point> batch;
+    };
+    std::vector<Band> bands;
+    std::vector<Point> seeds;    // blocks that the flood begins with
+    std::vector<Point> centers;  // that the ruler counts from
+    std::vector<int> updates;    // area at which the means of a region are taken anew
+    std::vector<ushort> priorities; // at which a block waits
+};
+
+//! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
+//! are there.
+//! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256.
+CV_EXPORTS void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
+                     FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
+
+//! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
+//! stays UNSEEN.
+void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
+                      Padded<int>& labels, Regions& regions);
+
+}}} // namespace
+
+#endif

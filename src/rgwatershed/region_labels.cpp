@@ -1,0 +1,65 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "rgwatershed/region_labels.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
+{
+    CV_TRACE_FUNCTION();
+    doubled.create(size, OUTSIDE);
+    parallel_for_(Range(0, size.height), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            const int* from = labels.row(y / 2);
+            int* to = doubled.row(y);
+            for (int x = 0; x < size.width / 2; x++)
+                to[2 * x] = to[2 * x + 1] = from[x];
+            if (size.width % 2)
+                to[size.width - 1] = from[size.width / 2];
+        }
+    });
+}
+
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
+{
+    labels.create(size, OUTSIDE);
+    Mat map = labels.view(CV_32SC1);
+    map.setTo(Scalar(UNSEEN));
+    if (!mask.empty())
+        map.setTo(Scalar(OUTSIDE), mask == 0);
+}
+
+void openUnlabelled(const Mat& mask, Padded<int>& labels)
+{
+    for (int y = 0; y < mask.rows; y++)
+    {
+        int* row = labels.row(y);
+        const uchar* inside = mask.ptr(y);
+        for (int x = 0; x < mask.cols; x++)
+            row[x] = inside[x] && row[x] < 0 ? int(UNSEEN) : row[x];
+    }
+}
+
+void closeUnseen(Padded<int>& labels)
+{
+    Mat map = labels.view(CV_32SC1);
+    map.setTo(Scalar(OUTSIDE), map == UNSEEN);
+}
+
+int labelUnseen(int num_regions, Padded<int>& labels)
+{
+    Mat map = labels.view(CV_32SC1), components;
+    const Mat unseen = map == UNSEEN;
+    if (countNonZero(unseen) == 0)
+        return num_regions;
+    const int count = connectedComponents(unseen, components, 4, CV_32S) - 1;
+    components += Scalar(num_regions - 1);
+    components.copyTo(map, unseen);
+    return num_regions + count;
+}
+
+}}} // namespace

@@ -1,0 +1,30 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGION_LABELS_HPP
+#define OPENCV_GWATERSHED_REGION_LABELS_HPP
+
+#include "shared/regions.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Labels of blocks of 2x2 pixels to the pixels.
+CV_EXPORTS void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
+
+//! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
+CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
+
+//! The pixels inside of the mask that have no label become UNSEEN.
+void openUnlabelled(const Mat& mask, Padded<int>& labels);
+
+//! The UNSEEN pixels become OUTSIDE.
+void closeUnseen(Padded<int>& labels);
+
+//! Each connected component of UNSEEN pixels becomes a region of its own. Returns the new number of
+//! regions.
+int labelUnseen(int num_regions, Padded<int>& labels);
+
+}}} // namespace
+
+#endif

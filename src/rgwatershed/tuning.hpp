@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_TUNING_HPP
+#define OPENCV_GWATERSHED_TUNING_HPP
+
+#include "shared/region_distance.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+// Constants found on one half of the photographs of BSDS500's train split and checked on the other;
+// doc/log.md has the figures.
+
+static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
+static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
+static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
+static const int SWEEPS_BEFORE_MERGING = 2;
+static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
+static const int SWEEPS_OF_PIXELS = 1;
+static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first
+static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pixel any more: some would go to and fro
+
+// For video: sweeps of blocks that move the regions along, and the squared error of a region,
+// for what it was when it was made and for each of its blocks, from which on it has changed.
+static const int SWEEPS_TO_TRACK = 3;
+static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
+
+// Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
+// things, by shading, so it leads less in finding regions than in settling their boundaries.
+static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
+static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
+
+// Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
+// side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
+static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
+
+//! Height of one block of distance from the marker, as floodFromPoints() takes it.
+inline int floodRuler(double blocks, int num_markers, float ruler)
+{
+    return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(blocks / num_markers), double(INT_MAX)));
+}
+
+//! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
+inline int floodBandHeight(double blocks, int num_superpixels)
+{
+    const int FEWEST = 16, SUPERPIXELS = 6;
+    return int(std::max<double>(FEWEST, SUPERPIXELS * std::sqrt(blocks / num_superpixels)));
+}
+
+inline int boundaryPrice(double price, double side, float ruler)
+{
+    const double PART_WITHOUT_RULER = 0.1;
+    const double scale = std::min(std::max(side * side / 289, 0.25), 4.);
+    return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
+}
+
+//! Weight of long common boundaries in merging, in 1/16: long ones make compact superpixels.
+inline int lengthExponent(float ruler)
+{
+    return cvRound(4 + 8 * std::min(ruler / 10, 1.f));
+}
+
+//! How many blocks a number of superpixels must keep, more if their boundary may be irregular.
+inline double fewestBlocks(int num_superpixels, float ruler)
+{
+    return double(num_superpixels) * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
+}
+
+//! The distance that leads in finding regions.
+inline RegionDistance floodDistance(float alpha, bool with_depth)
+{
+    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, with_depth);
+}
+
+//! The distance that leads in settling boundaries.
+inline RegionDistance sweepDistance(float alpha, bool with_depth)
+{
+    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, with_depth);
+}
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,60 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_BUCKET_QUEUE_HPP
+#define OPENCV_GWATERSHED_BUCKET_QUEUE_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Queues of items for the priorities 0..PRIORITIES-1, first in first out each. They are chains of chunks of one array, so
+//! memory is that of the items that wait at the same time. (height_queues.cpp)
+template <typename Item, int PRIORITIES> class CV_EXPORTS BucketQueue
+{
+public:
+    BucketQueue() { clear(); }
+
+    void clear()
+    {
+        items_.clear();
+        next_.clear();
+        free_ = NONE;
+        priority_ = num_used_ = 0;
+        std::fill_n(first_, PRIORITIES, int(NONE));
+        std::fill_n(ends_, PRIORITIES, 0);
+    }
+
+    //! The priority of the items that were taken last.
+    int priority() const { return priority_; }
+
+    void push(const Item& item, int priority)
+    {
+        if (ends_[priority] % CHUNK == 0)
+            appendChunk(priority);
+        items_[ends_[priority]++] = item;
+    }
+
+    //! Takes all items from the queue at the current priority; if that is empty, from the next one that
+    //! is not, beginning again at 0 after the last. Returns false if all are empty.
+    bool take(std::vector<Item>& batch);
+
+private:
+    enum { CHUNK = 32, NONE = -1 };
+
+    //! Puts a chunk that is free, or a new one, at the end of a queue.
+    void appendChunk(int priority);
+
+    std::vector<Item> items_; // those of chunk i from i * CHUNK on
+    std::vector<int> next_;   // chunk in the chain, for each chunk
+    int free_;                // first of the chain of those that no queue has
+    int priority_;
+    int num_used_;            // queues that are not empty
+    int first_[PRIORITIES];      // chunk of each of them
+    int ends_[PRIORITIES];       // behind its last item, in items_; 0 if it is empty
+};
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_FEATURES_HPP
+#define OPENCV_GWATERSHED_FEATURES_HPP
+
+#include "shared/padded.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! A pixel, or a block of pixels, as RGWATERSHED compares it: lightness and two colour differences
+//! of an opponent space, and scaled depth, 0 if missing.
+struct Feature
+{
+    uchar color[3];
+    uchar depth;
+};
+
+//! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become
+//! those of the opponent space.
+void makeFeatureRow(const uchar* color, int channels, bool lab_input, const uchar* depth, int cols, Feature* to);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_FRAME_HPP
+#define OPENCV_GWATERSHED_FRAME_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! What is segmented: all images have one size, or are empty.
+struct Frame
+{
+    Mat color;   //!< 8-bit with 1, 3 or 4 channels
+    Mat depth;   //!< CV_8UC1, 0 where it is missing; empty: there is none
+    Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty: all pixels are inside
+    Mat markers; //!< CV_32SC1, the label of a marker or below 0; empty: markers are to be placed
+    int num_pixels = 0;      //!< inside
+    int num_superpixels = 0; //!< asked for, or number of the markers
+    bool continues = false;    //!< it goes on from the last frame, which was of the same size, mask and number
+};
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,26 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_GRID_MARKERS_HPP
+#define OPENCV_GWATERSHED_GRID_MARKERS_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! One marker for each of num_markers cells of a grid, num_markers <= pixels.
+CV_EXPORTS void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+
+//! Some rows of an image, and the markers in them.
+struct MarkerBand
+{
+    Range rows, markers;
+};
+
+//! Whole rows of cells of that grid, as few as are not lower than a height; all of them if they are.
+CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+
+}}} // namespace
+
+#endif

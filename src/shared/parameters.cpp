@@ -1,0 +1,114 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "shared/parameters.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+void Parameters::setAlgorithm(int value)
+{
+    CV_Check(value, value == GWATERSHED || value == RGWATERSHED,
+             "algorithm must be GWATERSHED or RGWATERSHED");
+    algorithm = value;
+}
+
+void Parameters::setRegionSize(int value)
+{
+    CV_CheckGE(value, 1, "region_size must be 1 or more");
+    region_size = value;
+    num_superpixels = 0;
+}
+
+void Parameters::setDesiredSuperpixels(int value)
+{
+    CV_CheckGE(value, 1, "num_superpixels must be 1 or more");
+    num_superpixels = value;
+    region_size = 0;
+}
+
+void Parameters::setRuler(float value)
+{
+    CV_Check(value, value >= 0 && value <= FLT_MAX, "ruler must be 0 or more, and finite");
+    ruler = value;
+}
+
+void Parameters::setAlpha(float value)
+{
+    CV_Check(value, value >= 0 && value <= 1, "alpha must be in [0, 1]");
+    alpha = value;
+}
+
+void Parameters::setDepthRange(float first, float last)
+{
+    CV_Check(first, first >= 0 && first <= FLT_MAX, "near_depth must be 0 or more, and finite");
+    CV_Check(last, (last > first && last <= FLT_MAX) || (first == 0 && last == 0),
+             "far_depth must be larger than near_depth, and finite, or both 0");
+    near_depth = first;
+    far_depth = last;
+}
+
+void Parameters::setBorderThreshold(float value)
+{
+    CV_Check(value, value >= 0 && value <= FLT_MAX, "border_threshold must be 0 or more, and finite");
+    border_threshold = value;
+}
+
+void Parameters::write(FileStorage& fs) const
+{
+    fs << "algorithm" << algorithm
+       << "region_size" << region_size
+       << "num_superpixels" << num_superpixels
+       << "ruler" << ruler
+       << "alpha" << alpha
+       << "lab_input" << int(lab_input)
+       << "temporal" << int(temporal)
+       << "near_depth" << near_depth
+       << "far_depth" << far_depth
+       << "border_threshold" << border_threshold;
+}
+
+template <typename T> static T readValue(const FileNode& fn, const char* name)
+{
+    const FileNode node = fn[name];
+    if (!node.isInt() && !node.isReal())
+        CV_Error_(Error::StsParseError, ("read: %s must be given, as a number", name));
+    return static_cast<T>(node);
+}
+
+static int readInteger(const FileNode& fn, const char* name)
+{
+    const double value = readValue<double>(fn, name);
+    if (value != std::floor(value) || std::abs(value) > INT_MAX)
+        CV_Error_(Error::StsParseError, ("read: %s must be an integer", name));
+    return int(value);
+}
+
+Parameters Parameters::read(const FileNode& fn)
+{
+    Parameters parameters;
+    parameters.setAlgorithm(readInteger(fn, "algorithm"));
+    const int region_size = readInteger(fn, "region_size"), num_superpixels = readInteger(fn, "num_superpixels");
+    CV_Check(region_size, (region_size == 0) != (num_superpixels == 0),
+             "one of region_size and num_superpixels must be 0, and not the other");
+    if (num_superpixels != 0)
+        parameters.setDesiredSuperpixels(num_superpixels);
+    else
+        parameters.setRegionSize(region_size);
+    parameters.setRuler(readValue<float>(fn, "ruler"));
+    parameters.setAlpha(readValue<float>(fn, "alpha"));
+    parameters.lab_input = readInteger(fn, "lab_input") != 0;
+    parameters.temporal = readInteger(fn, "temporal") != 0;
+    parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
+    parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
+    return parameters;
+}
+
+int Parameters::countSuperpixels(double pixels) const
+{
+    const double wanted = num_superpixels ? num_superpixels
+                                          : pixels / (double(region_size) * region_size);
+    return cvRound(std::min(std::max(wanted, 1.), pixels));
+}
+
+}}} // namespace

@@ -1,0 +1,46 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_PARAMETERS_HPP
+#define OPENCV_GWATERSHED_PARAMETERS_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The parameters of SuperpixelGWatershed. Setters throw, and change nothing, on a wrong value.
+struct Parameters
+{
+    int algorithm = RGWATERSHED;
+    int region_size = 10;   //!< 0: num_superpixels rules
+    int num_superpixels = 0;
+    float ruler = 10.f;
+    float alpha = 0.5f;
+    bool lab_input = false;
+    bool temporal = false;
+    float near_depth = 0;   //!< both 0: the range comes from the frame
+    float far_depth = 0;
+    float border_threshold = 150; //!< measured, see doc/log.md; 0: none
+
+    void setAlgorithm(int value);
+    void setRegionSize(int value);
+    void setDesiredSuperpixels(int value);
+    void setRuler(float value);
+    void setAlpha(float value);
+    void setDepthRange(float first, float last);
+    void setBorderThreshold(float value);
+
+    void write(FileStorage& fs) const;
+    //! Throws if a value is missing or wrong.
+    static Parameters read(const FileNode& fn);
+
+    //! Number of superpixels for a number of pixels, at most one for each.
+    int countSuperpixels(double pixels) const;
+    //! alpha in 1/256.
+    int alphaWeight() const { return cvRound(alpha * 256); }
+};
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,124 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGIONS_HPP
+#define OPENCV_GWATERSHED_REGIONS_HPP
+
+#include "shared/features.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Labels of RGWATERSHED while it works: regions are 0..n-1.
+enum RegionLabel
+{
+    UNSEEN = -1,       //!< not reached by any region
+    OUTSIDE = INT_MIN  //!< around the image, outside of the mask, and what no marker reached
+};
+
+//! Means over the pixels of a region, in 1/16 of a level.
+struct RegionMean
+{
+    short color[3];
+    short depth; //!< NO_DEPTH if no pixel has any
+
+    enum { NO_DEPTH = -1 };
+};
+
+//! The mean of one pixel.
+inline RegionMean meanOf(const Feature& f)
+{
+    const RegionMean mean = { { short(16 * f.color[0]), short(16 * f.color[1]), short(16 * f.color[2]) },
+                              short(f.depth ? 16 * f.depth : int(RegionMean::NO_DEPTH)) };
+    return mean;
+}
+
+//! Sums over the pixels of a region.
+struct RegionSum
+{
+    int64 color[3], depth;
+    int area, depth_area; //!< pixels, and pixels with depth
+
+    //! Adds a pixel, or takes it away where times is -1.
+    void add(const Feature& f, int times = 1)
+    {
+        for (int k = 0; k < 3; k++)
+            color[k] += int64(times) * f.color[k];
+        depth += int64(times) * f.depth;
+        depth_area += f.depth ? times : 0;
+        area += times;
+    }
+
+    void add(const RegionSum& r)
+    {
+        for (int k = 0; k < 3; k++)
+            color[k] += r.color[k];
+        depth += r.depth;
+        depth_area += r.depth_area;
+        area += r.area;
+    }
+
+    RegionMean mean() const
+    {
+        const int64 reciprocal = FIXED_ONE / area;
+        RegionMean m;
+        for (int k = 0; k < 3; k++)
+            m.color[k] = divide(color[k], reciprocal);
+        m.depth = depth_area ? divide(depth, FIXED_ONE / depth_area) : short(RegionMean::NO_DEPTH);
+        return m;
+    }
+
+private:
+    static const int64 FIXED_ONE = int64(1) << 48; // sums in 1/16 of a level times it, over the area, fit into 64 bits
+
+    static short divide(int64 sum, int64 reciprocal)
+    {
+        return short((16 * sum * reciprocal + FIXED_ONE / 2) >> 48);
+    }
+};
+
+//! The regions of an image. Means lie apart from the sums, because the loops over pixels read no
+//! more, and change when update() is called.
+struct Regions
+{
+    std::vector<RegionMean> means;
+    std::vector<RegionSum> sums;
+
+    int size() const { return int(sums.size()); }
+    void resize(int n)
+    {
+        means.resize(n);
+        sums.resize(n);
+    }
+    void clear(int n)
+    {
+        resize(n);
+        std::fill(sums.begin(), sums.end(), RegionSum());
+    }
+    //! From sums over blocks to sums over the 2x2 blocks or pixels in them, whose mean they are.
+    void divideBlocks()
+    {
+        for (int i = 0; i < size(); i++)
+        {
+            RegionSum& sum = sums[i];
+            for (int k = 0; k < 3; k++)
+                sum.color[k] *= 4;
+            sum.depth *= 4;
+            sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // at odd borders there are fewer pixels
+            sum.depth_area = int(std::min<int64>(4 * int64(sum.depth_area), INT_MAX));
+        }
+    }
+    void update(int i) { means[i] = sums[i].mean(); }
+    void update()
+    {
+        for (int i = 0; i < size(); i++)
+            update(i);
+    }
+};
+
+//! Regions measured anew; labels below 0 do not count.
+void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,40 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "shared/renumber.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers)
+{
+    const int n = int(parents.size());
+    std::vector<int> roots(parents), number_of_root(n, -1);
+    int count = 0;
+    numbers.resize(n);
+    for (int i = 0; i < n; i++)
+    {
+        int root = i;
+        while (roots[root] != root)
+            root = roots[root] = roots[roots[root]];
+        if (number_of_root[root] < 0)
+            number_of_root[root] = count++;
+        numbers[i] = number_of_root[root];
+    }
+    return count;
+}
+
+void renumber(const std::vector<int>& numbers, Mat& labels)
+{
+    parallel_for_(Range(0, labels.rows), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            int* row = labels.ptr<int>(y);
+            for (int x = 0; x < labels.cols; x++)
+                row[x] = row[x] < 0 ? row[x] : numbers[row[x]];
+        }
+    });
+}
+
+}}} // namespace

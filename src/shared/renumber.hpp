@@ -1,0 +1,21 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_RENUMBER_HPP
+#define OPENCV_GWATERSHED_RENUMBER_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! New number of each region: those that are left, which are their own parents, are numbered from 0 in the
+//! order of the first region in them. Returns how many are left.
+int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers);
+
+//! Replaces each label by its number; what is below 0 stays.
+void renumber(const std::vector<int>& numbers, Mat& labels);
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,42 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "shared/user_markers.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered)
+{
+    CV_TRACE_FUNCTION();
+    std::vector<int> values;
+    numbered.create(markers.size(), CV_32SC1);
+    for (int y = 0; y < markers.rows; y++)
+    {
+        const int* from = markers.ptr<int>(y);
+        int* to = numbered.ptr<int>(y);
+        int last = 0;
+        for (int x = 0; x < markers.cols; x++)
+        {
+            to[x] = from[x] > 0 && (mask.empty() || mask.at<uchar>(y, x)) ? from[x] : 0;
+            if (to[x] != last && to[x] > 0)
+                values.push_back(to[x]);
+            last = to[x];
+        }
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+
+    parallel_for_(Range(0, numbered.rows), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            int* row = numbered.ptr<int>(y);
+            for (int x = 0; x < numbered.cols; x++)
+                row[x] = row[x] ? int(std::lower_bound(values.begin(), values.end(), row[x]) - values.begin()) : -1;
+        }
+    });
+    return int(values.size());
+}
+
+}}} // namespace
