@@ -31,7 +31,7 @@ public:
     void placeMarkers()
     {
         const int num_markers = num_superpixels_ * gws::MARKERS_PER_SUPERPIXEL;
-        gws::computeBlockGradient(features_[TOP], flood_distance_, gradient_);
+        gws::computeBlockGradient(features_[TOP], flood_distance_, Mat(), gradient_);
         gws::placeGridMarkers(gradient_, num_markers, markers_);
         gws::divideIntoBands(gradient_.size(), num_markers,
                              gws::floodBandHeight(double(gradient_.total()), num_superpixels_), bands_);
