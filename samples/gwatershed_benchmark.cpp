@@ -32,7 +32,7 @@ static const char* const KEYS =
     "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
     "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
     "{m methods    |     | names of the methods to run, or their beginnings, separated by commas; empty: all }"
-    "{l limit      | 0   | number of images; 0: all }"
+    "{l limit      | 0   | number of images to use, the first ones by name; 0: all }"
     "{t threads    | 1   | number of threads }"
     "{o output     | benchmark.csv | file to write }";
 
@@ -274,7 +274,7 @@ static std::vector<Example> readExamples(const String& image_dir, const String& 
 }
 
 //! Numbers of superpixels that all methods can make of all images: of three pixels in width or more, and of half of
-//! the shorter side of an image or less. Some of the methods end the program where there is another one.
+//! the shorter side of an image or less. Some of the methods crash for other numbers.
 static std::vector<int> readNumbers(const std::vector<String>& texts, const std::vector<Example>& examples)
 {
     double fewest = 1, most = INT_MAX;

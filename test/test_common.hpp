@@ -28,8 +28,8 @@ namespace opencv_test
 
 enum ImageKind { FLAT, NOISE, RAMP, STRIPES, CHECKERBOARD, SCENE, IMAGE_KINDS };
 
-//! Discs and boxes of many colours on a ramp, a little blurred and noisy: looks like a photograph
-//! to a superpixel method. CV_8UC3.
+//! Discs and boxes of many colours on a ramp, with a little blur and noise, so that superpixels behave as on a
+//! photograph. CV_8UC3.
 Mat makeScene(Size size, RNG& rng);
 //! An image of a kind with 1 or 3 channels, 8-bit.
 Mat makeImage(ImageKind kind, Size size, int channels, RNG& rng);

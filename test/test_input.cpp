@@ -229,7 +229,7 @@ TEST_P(ximgproc_GWatershed_input, cuts_equal_depth_along_an_edge_of_colour)
     {
         Mat image(60, 95, CV_8UC3, Scalar(90, 120, 70)), depth(image.size(), CV_16UC1, Scalar(1500));
         image.colRange(line, image.cols).setTo(Scalar(120, 90, 100));
-        depth.rowRange(0, 3).setTo(Scalar(900)); // depth that does tell something elsewhere
+        depth.rowRange(0, 3).setTo(Scalar(900)); // so that depth is not the same everywhere
         EXPECT_EQ(0, labelsAcross(segment(image, depth, GetParam(), 12).rowRange(6, 60), line)) << line;
     }
 }
@@ -255,7 +255,7 @@ TEST_P(ximgproc_GWatershed_input, is_not_ruined_by_outliers_of_depth)
 {
     Mat image(60, 96, CV_8UC3, Scalar(90, 120, 70)), depth(image.size(), CV_16UC1, Scalar(1500));
     depth.colRange(50, depth.cols).setTo(Scalar(1600));
-    depth.at<ushort>(3, 4) = 65535; // one pixel would squeeze the step into nothing
+    depth.at<ushort>(3, 4) = 65535; // if this pixel were the maximum, the step would vanish
     depth.at<ushort>(40, 80) = 1;
     Mat labels = segment(image, depth, GetParam(), 12);
     EXPECT_EQ(0, labelsAcross(labels.rowRange(10, 34), 50));
@@ -302,7 +302,7 @@ TEST_P(ximgproc_GWatershed_input, reused_object_equals_a_fresh_one)
     }
 }
 
-//! Passes on to the standard allocator and keeps the largest allocation in mind.
+//! Uses the standard allocator and remembers the largest allocation.
 class RecordingAllocator CV_FINAL : public MatAllocator
 {
 public:

@@ -55,7 +55,7 @@ static double residentMemory()
     return readStatus("VmRSS");
 }
 
-//! Starts the measurement of the peak, which is VmHWM, anew.
+//! Resets the peak of memory, VmHWM.
 static void forgetPeak()
 {
     std::ofstream("/proc/self/clear_refs") << 5;
