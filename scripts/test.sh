@@ -125,6 +125,8 @@ run_samples() {
         "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
     check "saliency_filters" finds_saliency "$data"
     check "gwatershed_polygons" finds_polygons "$data/fruits.jpg"
+    check "gwatershed_steps" sh -c '"$1" -i="$2" -o="$3" | grep -q "^300 superpixels" && [ -s "$3" ]' \
+        sh "$build/bin/example_gwatershed_gwatershed_steps" "$data/fruits.jpg" "$results/steps.png"
     # Labels of the demo serve as a ground truth.
     mkdir -p "$results/truth"
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
