@@ -188,7 +188,7 @@ TEST_P(ximgproc_GWatershed_pipeline, adjacency_equals_brute_force)
     }
 }
 
-TEST_P(ximgproc_GWatershed_pipeline, heights_do_not_see_depth_outside_of_the_mask)
+TEST_P(ximgproc_GWatershed_pipeline, contrasts_do_not_see_depth_outside_of_the_mask)
 {
     RNG& rng = theRNG();
     const Mat image = makeScene(Size(120, 90), rng), depth = makeDepth(image.size(), 0.1, rng);

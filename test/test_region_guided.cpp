@@ -127,7 +127,7 @@ TEST(ximgproc_SuperpixelGWatershed, cuts_along_edges_of_colour)
     }
 }
 
-TEST(ximgproc_SuperpixelGWatershed, takes_uniform_colours_as_they_are)
+TEST(ximgproc_SuperpixelGWatershed, takes_lab_input_as_it_is)
 {
     const int SCENES = 10;
     Mat lab;

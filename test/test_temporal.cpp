@@ -103,7 +103,7 @@ TEST_P(ximgproc_GWatershed_temporal, explains_a_stream_as_well_as_each_frame_by_
     EXPECT_GT(with, without - 0.02);
 }
 
-TEST_P(ximgproc_GWatershed_temporal, starts_anew_where_there_is_nothing_to_follow)
+TEST_P(ximgproc_GWatershed_temporal, starts_again_where_there_is_nothing_to_follow)
 {
     RNG& rng = theRNG();
     const Size size(120, 90), other(130, 70);
