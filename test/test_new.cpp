@@ -31,6 +31,11 @@ void operator delete(void* memory) noexcept
     std::free(memory);
 }
 
+void operator delete(void* memory, size_t) noexcept // what C++14 and later call
+{
+    std::free(memory);
+}
+
 namespace opencv_test
 {
 
