@@ -164,7 +164,10 @@ TEST_P(ximgproc_GWatershed_input, ignores_depth_that_tells_nothing)
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     const float missing[] = { 0.f, -1.f, nan, inf, -inf };
     for (int i = 0; i < 5; i++)
-        EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_32FC1, Scalar(missing[i])), GetParam(), 10)));
+    {
+        const Mat depth(image.size(), CV_32FC1, Scalar(missing[i]));
+        EXPECT_TRUE(equalMats(expected, segment(image, depth, GetParam(), 10)));
+    }
     EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_16UC1, Scalar(0)), GetParam(), 10)));
     EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_8UC1, Scalar(0)), GetParam(), 10)));
 
@@ -331,17 +334,14 @@ TEST_P(ximgproc_GWatershed_input, allocates_nothing_large_for_the_second_image_o
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(640, 480, 3, 768, GetParam());
     gws->iterate(image, depth);
 
-    RecordingAllocator recording;
-    MatAllocator* const before = Mat::getDefaultAllocator();
-    Mat::setDefaultAllocator(&recording);
-    startRecordingNew();
+    RecordingAllocator mats;
+    const AllocatorGuard guard(&mats);
+    const NewRecorder news;
     gws->iterate(image, depth);
-    const size_t largest_new = stopRecordingNew();
-    Mat::setDefaultAllocator(before);
-    EXPECT_LT(recording.largest, image.total() / 2) << "bytes in a Mat; one for each pixel would be " << image.total();
-    EXPECT_LT(largest_new, image.total() / 2) << "bytes by new";
+    EXPECT_LT(mats.largest, image.total() / 2) << "bytes in a Mat; one for each pixel would be " << image.total();
+    EXPECT_LT(news.largest(), image.total() / 2) << "bytes by new";
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

@@ -199,7 +199,7 @@ TEST_P(ximgproc_GWatershed_temporal, is_not_disturbed_by_merging_and_threads)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, testing::ValuesIn(ALGORITHMS));
 
 TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_are_as_good_after_a_cut)
 {
