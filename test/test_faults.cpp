@@ -287,7 +287,7 @@ TEST_P(ximgproc_GWatershed_faults, factories_throw_or_make_an_object)
     ThreadsGuard one(1);
     const Stream stream(get<0>(GetParam()));
     const Mat expected = segment(stream.images[0], stream.depths[0], stream.algorithm, 10);
-    failEverywhere(get<1>(GetParam()), [&]() { return Ptr<SuperpixelGWatershed>(); },
+    failEverywhere(get<1>(GetParam()), [&]() { return stream.makeObject(nothing); },
         [&](SuperpixelGWatershed&)
         {
             createSuperpixelGWatershed(72, 54, 3, 60, stream.algorithm);
