@@ -18,6 +18,13 @@ struct MarkerBand
     Range rows, markers;
 };
 
+//! All rows and all markers.
+inline MarkerBand wholeBand(Size size, int num_markers)
+{
+    const MarkerBand band = { Range(0, size.height), Range(0, num_markers) };
+    return band;
+}
+
 //! Whole rows of cells of that grid, as few as are not lower than a height; all of them if they are.
 CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 

@@ -43,6 +43,9 @@ public:
     //! The image without its frame, as a Mat of the type of its elements.
     Mat view(int type) { return Mat(size(), type, row(0), buffer_.step); }
 
+    //! Copies the image without its frame, whose elements have a type.
+    void copyTo(int type, Mat& image) const { Mat(size(), type, const_cast<T*>(row(0)), buffer_.step).copyTo(image); }
+
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }
     //! Offsets of the neighbours: left, top, right, bottom.
