@@ -10,7 +10,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! One marker for each of num_markers cells of a grid, num_markers <= pixels.
-CV_EXPORTS void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
@@ -26,7 +26,7 @@ inline MarkerBand wholeBand(Size size, int num_markers)
 }
 
 //! Whole rows of cells of that grid, as few as are not lower than a height; all of them if they are.
-CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace
 
