@@ -26,46 +26,44 @@ typedef std::vector<Method> Methods;
 void nothing(const Pictures&) {}
 
 /** Methods take turns, each on another picture, so that each of them finds caches full of what the others left, as in
-a program that does other things, too. The framework times the rounds; the median of each method becomes a property of
-the case in the report (--gtest_output=xml), in milliseconds. scripts/perf.sh makes a table of these. */
+a program that does other things, too. The framework times the rounds. The median of each method, in milliseconds,
+becomes a property of the case in the report (--gtest_output=xml), and scripts/perf.sh makes a table of these. */
 class Perf_Superpixels : public TestBaseWithParam<tuple<Size, int> >
 {
 protected:
     void takeTurns(const Methods& methods, Pictures& pictures)
     {
-        std::vector<std::vector<double> > times(methods.size());
-        runAll(methods, pictures, 0, 0); // objects make their buffers
+        for (const Method& method : methods)
+            timeOnce(method, pictures); // it makes its buffers
+        std::vector<std::vector<double> > samples(methods.size());
         declare.strategy(PERF_STRATEGY_BASE).iterations(countRounds(pictures.image().size())).time(600);
-        for (size_t round = 1; next(); round++)
+        for (size_t round = 0; next(); round++)
         {
             startTimer();
-            runAll(methods, pictures, round, &times);
+            for (size_t i = 0; i < methods.size(); i++)
+            {
+                pictures.choose(round + i);
+                samples[i].push_back(timeOnce(methods[i], pictures));
+            }
             stopTimer();
         }
         for (size_t i = 0; i < methods.size(); i++)
-            RecordProperty(methods[i].name, cv::format("%.4f", median(times[i])));
+            RecordProperty(methods[i].name, cv::format("%.4f", median(samples[i])));
         setVerified(); // times only: the tests of accuracy are elsewhere
     }
 
 private:
-    static unsigned countRounds(Size size)
-    {
-        return size.area() < 1000000 ? 15 : 5;
-    }
+    static unsigned countRounds(Size size) { return size.area() < 1000000 ? 25 : 10; }
 
-    static void runAll(const Methods& methods, Pictures& pictures, size_t round, std::vector<std::vector<double> >* times)
+    //! Milliseconds.
+    static double timeOnce(const Method& method, const Pictures& pictures)
     {
-        for (size_t i = 0; i < methods.size(); i++)
-        {
-            pictures.choose(round + i);
-            methods[i].prepare(pictures);
-            TickMeter meter;
-            meter.start();
-            methods[i].run(pictures);
-            meter.stop();
-            if (times)
-                (*times)[i].push_back(meter.getTimeMilli());
-        }
+        method.prepare(pictures);
+        TickMeter meter;
+        meter.start();
+        method.run(pictures);
+        meter.stop();
+        return meter.getTimeMilli();
     }
 
     static double median(std::vector<double>& values)
@@ -80,6 +78,11 @@ Ptr<SuperpixelGWatershed> create(Size size, int num_superpixels, int algorithm)
     return createSuperpixelGWatershed(size.width, size.height, 3, num_superpixels, algorithm);
 }
 
+bool isCommon(int region_size)
+{
+    return region_size == 10 || region_size == 20;
+}
+
 void addOurs(Size size, int region_size, Methods& methods)
 {
     const int number = countSuperpixels(size, region_size);
@@ -87,7 +90,7 @@ void addOurs(Size size, int region_size, Methods& methods)
     const Ptr<SuperpixelGWatershed> gradient_guided = create(size, number, GWATERSHED);
     methods.push_back({ "RGWATERSHED", nothing, [=](const Pictures& p) { region_guided->iterate(p.image()); } });
     methods.push_back({ "GWATERSHED", nothing, [=](const Pictures& p) { gradient_guided->iterate(p.image()); } });
-    if (region_size != 10 && region_size != 20)
+    if (!isCommon(region_size))
         return;
     methods.push_back({ "RGWATERSHED_depth", nothing, [=](const Pictures& p)
     {
@@ -149,13 +152,13 @@ void addSLIC(int region_size, Methods& methods)
 
 #endif // GWATERSHED_HAVE_XIMGPROC
 
-//! Not SLIC and SEEDS on the largest images.
+//! The slow ones, SLIC and SEEDS, are left out on the largest images, and for most region sizes on large ones.
 void addPeers(Size size, int region_size, Methods& methods)
 {
     addWatershed(region_size, methods);
 #ifdef GWATERSHED_HAVE_XIMGPROC
     addScanSegment(size, region_size, methods);
-    if (size.area() > sz1080p.area())
+    if (size == sz2160p || (size == sz1080p && !isCommon(region_size)))
         return;
     addSLIC(region_size, methods);
     if (region_size >= 10) // below, its four levels of blocks do not fit into a superpixel
