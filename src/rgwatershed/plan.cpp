@@ -7,16 +7,18 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-static Size halved(Size size)
+static double countBlocks(Size size, int level)
 {
-    return Size((size.width + 1) / 2, (size.height + 1) / 2);
+    for (; level > 0; level--)
+        size = Size((size.width + 1) / 2, (size.height + 1) / 2);
+    return double(size.width) * size.height;
 }
 
 //! How often the image is halved before it is flooded: as often as it keeps the fewest blocks.
 static int chooseLevel(Size size, double fewest_blocks)
 {
     int level = 0;
-    for (size = halved(size); level < MAX_LEVEL && double(size.width) * size.height >= fewest_blocks; size = halved(size))
+    while (level < MAX_LEVEL && countBlocks(size, level + 1) >= fewest_blocks)
         level++;
     return level;
 }
@@ -40,13 +42,6 @@ static int chooseLevel(const Frame& frame, float ruler, const MaskPyramid& masks
         return 0;
     return frame.mask.empty() ? chooseLevel(frame.color.size(), fewest_blocks)
                               : chooseLevel(masks, frame.num_superpixels, fewest_blocks);
-}
-
-static double countBlocks(Size size, int level)
-{
-    for (; level > 0; level--)
-        size = halved(size);
-    return double(size.width) * size.height;
 }
 
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.

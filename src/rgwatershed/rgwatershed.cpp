@@ -71,7 +71,8 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
                     flood_buffers_, labels_[plan.level], regions_);
 }
 
-//! Step 4. Regions that are merged to the number asked for are small where the image varies and large where it does not.
+//! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it
+//! does not.
 void RGWatershed::sweepAndMerge(const Plan& plan)
 {
     CV_TRACE_FUNCTION();
