@@ -4,6 +4,7 @@
 
 #include "perf_common.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #ifdef GWATERSHED_HAVE_XIMGPROC
@@ -78,6 +79,19 @@ Ptr<SuperpixelGWatershed> create(Size size, int num_superpixels, int algorithm)
     return createSuperpixelGWatershed(size.width, size.height, 3, num_superpixels, algorithm);
 }
 
+Method callOurs(const String& name, Size size, int region_size, int algorithm, int num_iterations)
+{
+    const Ptr<SuperpixelGWatershed> gws = create(size, countSuperpixels(size, region_size), algorithm);
+    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), num_iterations); } };
+}
+
+Method callOursWithDepth(const String& name, Size size, int region_size)
+{
+    const Ptr<SuperpixelGWatershed> gws = create(size, countSuperpixels(size, region_size), RGWATERSHED);
+    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), p.depth()); } };
+}
+
+//! These are timed with all settings and peers.
 bool isCommon(int region_size)
 {
     return region_size == 10 || region_size == 20;
@@ -85,22 +99,13 @@ bool isCommon(int region_size)
 
 void addOurs(Size size, int region_size, Methods& methods)
 {
-    const int number = countSuperpixels(size, region_size);
-    const Ptr<SuperpixelGWatershed> region_guided = create(size, number, RGWATERSHED);
-    const Ptr<SuperpixelGWatershed> gradient_guided = create(size, number, GWATERSHED);
-    methods.push_back({ "RGWATERSHED", nothing, [=](const Pictures& p) { region_guided->iterate(p.image()); } });
-    methods.push_back({ "GWATERSHED", nothing, [=](const Pictures& p) { gradient_guided->iterate(p.image()); } });
+    methods.push_back(callOurs("RGWATERSHED", size, region_size, RGWATERSHED, 1));
+    methods.push_back(callOurs("GWATERSHED", size, region_size, GWATERSHED, 1));
     if (!isCommon(region_size))
         return;
-    methods.push_back({ "RGWATERSHED_depth", nothing, [=](const Pictures& p)
-    {
-        region_guided->iterate(p.image(), p.depth());
-    } });
-    for (int count : { 2, 4 })
-        methods.push_back({ cv::format("RGWATERSHED_%d_iterations", count), nothing, [=](const Pictures& p)
-        {
-            region_guided->iterate(p.image(), count);
-        } });
+    methods.push_back(callOursWithDepth("RGWATERSHED_depth", size, region_size));
+    methods.push_back(callOurs("RGWATERSHED_2_iterations", size, region_size, RGWATERSHED, 2));
+    methods.push_back(callOurs("RGWATERSHED_4_iterations", size, region_size, RGWATERSHED, 4));
 }
 
 //! The flood alone.
