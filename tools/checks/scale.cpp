@@ -175,7 +175,7 @@ static void segmentLargest(int side)
     }
 }
 
-//! As many pixels as an index can name, of which a mask leaves the last corner.
+//! The largest image. A mask leaves only its last corner inside.
 static void segmentCorner()
 {
     const int side = 46338;
@@ -335,7 +335,7 @@ struct StreamFrame
     Mat image, depth, mask, markers;
 };
 
-//! One frame of the stream, and what one does with it.
+//! One frame of the stream, and all calls for it.
 static void segmentFrame(const StreamFrame& frame, int region_size, Numbers& numbers, SuperpixelGWatershed& gws)
 {
     gws.setRegionSize(region_size);
