@@ -4,7 +4,7 @@
   profile_tree.py NAMES.txt CALLS.txt REPORT.xml
 
 The first two are written by OpenCV with OPENCV_TRACE=1: the names of what is traced, and when each call of one thread
-began and ended. The third is written by opencv_perf_gwatershed in the same run, with the median of the whole.
+began and ended. The third is written by opencv_perf_gwatershed in the same run, with the mean of the whole.
 What functions of others take is counted for the one of ours that called them.
 """
 import collections
@@ -40,10 +40,10 @@ def read_calls(file, names):
     return calls
 
 
-def read_median(file):
+def read_mean(file):
     """Nanoseconds of a whole call by the clock of the performance test."""
     values = {item.get("name"): item.get("value") for item in ElementTree.parse(file).iter("property")}
-    return 1e9 * float(values["median"]) / float(values["frequency"])
+    return 1e9 * float(values["mean"]) / float(values["frequency"])
 
 
 def print_line(depth, name, time, whole):
@@ -61,16 +61,14 @@ def print_tree(path, times, children, whole):
     return steps
 
 
-def average_usual(calls):
-    """Means by path over the half of the calls that is neither fast nor slow, so that they add up."""
-    calls = sorted(calls, key=lambda call: sum(time for path, time in call.items() if len(path) == 1))
-    usual = calls[len(calls) // 4:len(calls) - len(calls) // 4]
-    return {path: sum(call[path] for call in usual) / len(usual) for call in calls for path in call}
+def average(calls):
+    """Mean by path."""
+    return {path: sum(call[path] for call in calls) / len(calls) for call in calls for path in call}
 
 
 def main():
-    whole = read_median(sys.argv[3])
-    times = average_usual(read_calls(sys.argv[2], read_names(sys.argv[1])))
+    whole = read_mean(sys.argv[3])
+    times = average(read_calls(sys.argv[2], read_names(sys.argv[1])))
     children = collections.defaultdict(list)
     for path in times:
         children[path[:-1]].append(path)
