@@ -30,17 +30,17 @@ struct FloodPixel
 typedef Padded<FloodPixel> PixelMap;
 
 //! All pixels UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-CV_EXPORTS void makePixelMap(const Mat& color, const Mat& depth, PixelMap& pixels);
+void makePixelMap(const Mat& color, const Mat& depth, PixelMap& pixels);
 
 //! Makes the pixels outside of a mask part of the frame.
 void closeOutside(const Mat& mask, PixelMap& pixels);
 
 //! Marker i gets the label i + 1. It is a point, or all pixels with the value i.
-CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
+void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
 void labelMarkers(const Mat& markers, PixelMap& pixels);
 
 //! CV_32SC1 labels 0..N-1, and -1 where a pixel has no label.
-CV_EXPORTS void extractLabels(PixelMap& pixels, Mat& labels);
+void extractLabels(PixelMap& pixels, Mat& labels);
 
 }}} // namespace
 

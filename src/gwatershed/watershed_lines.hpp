@@ -18,7 +18,7 @@ struct LineBuffers
 };
 
 //! Gives every pixel without a label to a neighbour.
-CV_EXPORTS void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
+void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
 
 }}} // namespace
 
