@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
-CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
 //! The pixels inside of the mask that have no label become UNSEEN.
 void openUnlabelled(const Mat& mask, Padded<int>& labels);
