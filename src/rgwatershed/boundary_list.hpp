@@ -7,61 +7,63 @@
 
 #include "rgwatershed/neighbor_masks.hpp"
 #include "shared/regions.hpp"
-#include <functional>
-#include <list>
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A pixel that may leave its region, and the mask of its neighbours in that.
-struct BoundaryPixel
+// An image is divided into quads of 2x2 pixels, each of which has one pixel of each of the four classes: class
+// 2 * (y % 2) + x % 2. No two pixels of one class are neighbours.
+
+enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
+
+enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its label: it cannot leave
+
+//! A quad that has pixels to look at: its column, and a bit for each class.
+struct Quad
 {
-    int index, mask;
+    int x, classes;
 };
 
-//! A pixel that goes from a region to another one.
-struct Move
+//! The pixels that a sweep looks at in some rows of quads, by class and row.
+class BoundaryList
 {
-    int index, from, to;
+public:
+    //! Pixels by their index.
+    struct Part
+    {
+        const int* pixels;
+        int count;
+    };
+
+    //! Empties it. Rows from this one on will be added.
+    void begin(int first_row);
+    //! Adds the next row. first is the index of the upper left pixel in it, step the offset to the next row of pixels.
+    void addRow(const Quad* quads, int n, int first, int step);
+
+    Part part(int c, int row) const
+    {
+        const std::vector<int>& ends = ends_[c];
+        const Part result = { pixels_[c].data() + ends[row - first_row_], ends[row - first_row_ + 1] - ends[row - first_row_] };
+        return result;
+    }
+
+private:
+    int first_row_;
+    std::vector<int> pixels_[NUM_CLASSES], ends_[NUM_CLASSES];
 };
 
-//! The boundary in some rows of an image.
-struct BoundaryList
-{
-    std::vector<BoundaryPixel> pixels;
+//! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
+void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
 
-    // Buffers, of a row:
-    std::vector<int> masks, columns;
-    std::vector<BoundaryPixel> found;
-};
+// Each of these adds some rows of quads to a list.
 
-//! The moves of the sweeps, in bands of rows, and buffers. Bands have the same height for any number of threads, so
-//! that the result is the same.
-struct SweepBuffers
-{
-    enum { BAND_HEIGHT = 16 };
+//! All pixels that may leave.
+void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list);
 
-    std::vector<std::vector<Move> > moves, last_moves; //!< of this sweep and of the one before, by bands
-    std::vector<uchar> marks;                          //!< by pixel
-    std::list<BoundaryList> lists; //!< that no thread uses
+//! The same where the labels are those of blocks of 2x2 pixels, whose masks are found, too.
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Range& rows, Padded<uchar>& masks, BoundaryList& list);
 
-    //! Whether any pixel moved in the last sweep.
-    bool moved() const;
-};
-
-//! Adds the pixels of some rows that may leave their regions to a list.
-typedef std::function<void(const Range& rows, BoundaryList& list)> ListBoundary;
-
-//! All of them, in raster order.
-CV_EXPORTS void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
-
-//! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);
-
-//! Those of them that touch one of the pixels that moved in the sweep before; rows are those of a band.
-void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, SweepBuffers& buffers, BoundaryList& list);
-
-//! Takes the pixels of markers from the list, so that a sweep does not move them.
-void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list);
+//! Those pixels that may leave and have marks. The marks are taken away.
+void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list);
 
 }}} // namespace
 

@@ -8,16 +8,65 @@
 #include "rgwatershed/boundary_list.hpp"
 #include "rgwatershed/variation_guard.hpp"
 #include "shared/region_distance.hpp"
+#include <functional>
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! One pass over the boundary: the pixels that are listed go to the neighbouring region of the lowest energy, while
-//! each region stays one piece.
-//! length_price is the energy, in squared levels, of a quarter of a pixel edge of boundary.
-//! guard may be 0.
-CV_EXPORTS void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
-                   Regions& regions);
+//! What a sweep goes by.
+struct SweepRules
+{
+    RegionDistance distance;
+    int length_price;      //!< energy, in squared levels, of a quarter of a pixel edge of boundary
+    Mat markers;           //!< of the user: pixels with a value of 0 or more stay; may be empty
+    VariationGuard* guard; //!< may be 0
+    bool last;             //!< no one will ask for the sums and means of the regions any more
+};
+
+//! A pixel that went from a region to another one.
+struct Move
+{
+    int index, from, to;
+};
+
+//! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
+//! region stays one piece. Holds the state between sweeps.
+//!
+//! A sweep takes the four classes of pixels in turn. No two pixels of a class are neighbours, so all of them can choose
+//! and move at once: what they chose holds, and the order does not matter. Means are those of the beginning of the
+//! sweep. Which pixels are looked at is known then, too.
+class CV_EXPORTS BoundarySweeper
+{
+public:
+    //! Sweeps over the whole boundary.
+    void sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
+
+    //! The same for labels that become those of blocks of 2x2 pixels first.
+    void sweepBlocks(const Padded<int>& blocks, const Padded<Feature>& features, const SweepRules& rules,
+                     Padded<int>& labels, Regions& regions);
+
+    //! Sweeps around the pixels that moved in the last sweep, of the same labels.
+    void sweepAround(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
+
+    //! Whether any pixel moved in the last sweep.
+    bool moved() const { return moved_; }
+
+private:
+    class Wave;
+    typedef std::function<void(const Range& rows, BoundaryList& list)> List;
+
+    void begin(Size size);
+    void clearMarks(const Range& rows);
+    void sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+               Regions& regions);
+    void addMoves(const Padded<Feature>& features, const SweepRules& rules, const Padded<int>& labels,
+                  Regions& regions) const;
+
+    Padded<uchar> masks_;                   // of the neighbours with the same label, by pixel
+    Padded<uchar> marks_;                   // of the classes that touch a move, by quad
+    std::vector<BoundaryList> lists_;       // by band
+    std::vector<std::vector<Move> > moves_; // within bands, then between them
+    bool moved_ = false;
+};
 
 }}} // namespace
 

@@ -6,10 +6,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
+
 //! Each neighbour of a pixel lies in its block or in one of the neighbours of that.
 static uchar findMaskInBlock(int block_mask, int pixel)
 {
-    const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
     const int x = pixel % 2, y = pixel / 2;
     int mask = 0;
     for (int k = 0; k < 8; k++)
@@ -23,7 +24,7 @@ static uchar findMaskInBlock(int block_mask, int pixel)
     return uchar(mask);
 }
 
-MaskTable::MaskTable()
+MaskTable::MaskTable() : changes_()
 {
     for (int mask = 0; mask < 256; mask++)
     {
@@ -44,8 +45,17 @@ MaskTable::MaskTable()
         agreement_[mask] = uchar(agreement);
         is_tip_[mask] = four == 1;
         can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
+        for (int k = 0; k < 8; k++)
+            changes_[mask][1 + DY[k]][1 + DX[k]] = (mask >> k) & 1 ? uchar(1 << ((k + 4) & 7)) : uchar(0);
+    }
+    for (int mask = 0; mask < 256; mask++)
+    {
+        leavers_in_block_[mask] = 0;
         for (int pixel = 0; pixel < 4; pixel++)
+        {
             in_block_[mask][pixel] = findMaskInBlock(mask, pixel);
+            leavers_in_block_[mask] |= uchar(can_leave_[in_block_[mask][pixel]] << pixel);
+        }
     }
 }
 

@@ -39,8 +39,9 @@ bool RGWatershed::track(const Frame& frame, int level, int length_price, const P
     std::vector<int64> errors;
     regions_.resize(int(errors_.size()));
     measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
-    sweepAll(level, length_price, distance, frame);
-    sweepAgain(SWEEPS_TO_TRACK - 1, level, length_price, distance, frame, 0);
+    const SweepRules rules = { distance, length_price, Mat(), 0, false };
+    sweeper_.sweepAll(features_[level], rules, labels_[level], regions_);
+    sweepAgain(SWEEPS_TO_TRACK - 1, level, rules);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
 
     Change change = findChange(errors, errors_, regions_);

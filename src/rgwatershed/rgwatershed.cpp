@@ -49,46 +49,11 @@ void RGWatershed::reserve(Size size)
     }
 }
 
-//! One sweep over what is listed, but for the pixels of markers.
-void RGWatershed::sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
-                            const Frame& frame, VariationGuard* guard)
-{
-    const ListBoundary list_movable = [&](const Range& rows, BoundaryList& boundary)
-    {
-        list(rows, boundary);
-        if (!frame.markers.empty())
-            keepMarkers(frame.markers, labels_[0], boundary);
-    };
-    sweepBoundary(features_[level], distance, length_price, guard, list_movable, sweep_buffers_, labels_[level],
-                  regions_);
-}
-
-void RGWatershed::sweepAll(int level, int length_price, const RegionDistance& distance, const Frame& frame)
-{
-    sweep([&](const Range& rows, BoundaryList& boundary) { listBoundary(labels_[level], rows, boundary); },
-          level, length_price, distance, frame, 0);
-}
-
-//! On a level that descend() came to.
-void RGWatershed::sweepAllOfBlocks(int level, int length_price, const RegionDistance& distance, const Frame& frame)
-{
-    sweep([&](const Range& rows, BoundaryList& boundary)
-    {
-        listBoundaryOfBlocks(labels_[level + 1], labels_[level], rows, boundary);
-    }, level, length_price, distance, frame, 0);
-}
-
 //! Sweeps around the pixels that moved in the last one.
-void RGWatershed::sweepAgain(int count, int level, int length_price, const RegionDistance& distance,
-                                 const Frame& frame, VariationGuard* guard)
+void RGWatershed::sweepAgain(int count, int level, const SweepRules& rules)
 {
-    if (count > 0)
-        sweep_buffers_.marks.resize(size_t(labels_[level].step()) * (labels_[level].size().height + 2));
-    for (int i = 0; i < count && sweep_buffers_.moved(); i++)
-        sweep([&](const Range& rows, BoundaryList& boundary)
-        {
-            listBoundaryAroundMoves(labels_[level], rows, sweep_buffers_, boundary);
-        }, level, length_price, distance, frame, guard);
+    for (int i = 0; i < count && sweeper_.moved(); i++)
+        sweeper_.sweepAround(features_[level], rules, labels_[level], regions_);
 }
 
 //! Gradients beside what is outside of the mask are not known.
@@ -127,9 +92,9 @@ void RGWatershed::floodAndMerge(const Frame& frame, int level, double side, cons
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, distance, floodRuler(blocks, num_markers, parameters.ruler),
                     flood_buffers_, labels_[level], regions_);
-    const int price = boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler);
-    sweepAll(level, price, distance, frame);
-    sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, price, distance, frame, 0);
+    const SweepRules rules = { distance, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), Mat(), 0, false };
+    sweeper_.sweepAll(features, rules, labels_[level], regions_);
+    sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, rules);
     mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
                         labels_[level], regions_);
 }
@@ -146,13 +111,13 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const RegionDistance&
         closeUnseen(labels_[0]);
 }
 
-//! The labels of larger blocks, and what of the mask lies outside of these.
+//! To smaller blocks. Where there is a mask, they get the labels of larger ones, and what of it lies outside of these.
 void RGWatershed::descend(const Frame& frame, int level, const RegionDistance& distance)
 {
-    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
     regions_.divideBlocks();
     if (frame.mask.empty())
         return;
+    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], distance, flood_buffers_, labels_[level], regions_);
     if (level > 0)
@@ -195,24 +160,28 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     }
     top_ = top;
 
+    SweepRules rules = { distance, price, frame.markers, 0, false };
     for (int level = std::max(top - 1, 0); level >= 0; level--)
     {
+        const int num_sweeps = level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
+        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < top)
             descend(frame, level, distance);
         if (level < top && !masked)
-            sweepAllOfBlocks(level, price, distance, frame);
+            sweeper_.sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
         else
-            sweepAll(level, price, distance, frame);
-        sweepAgain((level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS) - 1, level, price, distance, frame, 0);
+            sweeper_.sweepAll(features_[level], rules, labels_[level], regions_);
+        sweepAgain(num_sweeps - 1, level, rules);
     }
     if (num_iterations > 1)
     {
         VariationGuard guard(frame.color, labels_[0], regions_.size());
-        for (int i = 1; i < num_iterations && sweep_buffers_.moved(); i++)
+        rules.guard = &guard;
+        for (int i = 1; i < num_iterations && sweeper_.moved(); i++)
         {
             if (i == ITERATIONS_WITH_TIES)
                 guard.forbidTies();
-            sweepAgain(SWEEPS_PER_ITERATION, 0, price, distance, frame, &guard);
+            sweepAgain(SWEEPS_PER_ITERATION, 0, rules);
         }
     }
     labels_[0].view(CV_32SC1).copyTo(labels);

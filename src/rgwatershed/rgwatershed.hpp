@@ -39,12 +39,7 @@ private:
     void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance, float ruler);
     void floodFromUserMarkers(const Frame& frame, const RegionDistance& distance);
     void descend(const Frame& frame, int level, const RegionDistance& distance);
-    void sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
-               const Frame& frame, VariationGuard* guard);
-    void sweepAll(int level, int length_price, const RegionDistance& distance, const Frame& frame);
-    void sweepAllOfBlocks(int level, int length_price, const RegionDistance& distance, const Frame& frame);
-    void sweepAgain(int count, int level, int length_price, const RegionDistance& distance, const Frame& frame,
-                    VariationGuard* guard);
+    void sweepAgain(int count, int level, const SweepRules& rules);
 
     //! All rows and all markers.
     static MarkerBand wholeBand(Size size, const std::vector<Point>& markers)
@@ -70,7 +65,7 @@ private:
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
-    SweepBuffers sweep_buffers_;
+    BoundarySweeper sweeper_;
 };
 
 }}} // namespace

@@ -1,0 +1,62 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGION_CHOICE_HPP
+#define OPENCV_GWATERSHED_REGION_CHOICE_HPP
+
+#include "rgwatershed/neighbor_masks.hpp"
+#include "shared/region_distance.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Which of the regions beside a pixel has the lowest energy: the squared distance of the pixel to its mean, less the
+//! boundary that it saves.
+class RegionChoice
+{
+public:
+    enum { BATCH = 256 };
+
+    //! A region, and the mask of the neighbours of a pixel that are in it.
+    struct Choice
+    {
+        int region, mask;
+    };
+
+    //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
+    RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                 const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
+
+    //! A pixel that another region may win: its energy in its own region, and the squared distance to that of the first
+    //! of its other 4-neighbours.
+    struct OpenPixel
+    {
+        int index, energy, square;
+    };
+
+    //! Finds those of up to BATCH pixels, and returns how many. What cannot leave any more is passed over, too.
+    int findOpen(const int* pixels, int n, OpenPixel* open) const;
+
+    //! The region of a 4-neighbour of the lowest energy, its own if none is lower than that of its own.
+    Choice choose(const OpenPixel& pixel) const;
+
+private:
+    template <bool WITH_DEPTH> int findOpenWith(const int* pixels, int n, OpenPixel* open) const;
+
+    const MaskTable& table_;
+    const Feature* const features_;
+    const int* const labels_;
+    const uchar* const masks_;
+    const RegionMean* const means_;
+    const RegionDistance distance_;
+    const int step_;
+    // By mask of the neighbours that agree:
+    int savings_[256];                           // of energy
+    int most_savings_[256];                      // of any other region
+    int bounds_[256];                            // square above which another region may win
+    int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours that do not agree
+};
+
+}}} // namespace
+
+#endif
