@@ -35,17 +35,6 @@ void BoundaryList::addRow(const Quad* quads, int n, int first, int step)
     }
 }
 
-//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
-static void findMasksOfRow(const int* row, int step, int n, int* masks)
-{
-    const int *upper = row - step, *lower = row + step;
-    for (int x = 0; x < n; x++)
-        masks[x] = bitIfSame(upper[x - 1], row[x], 1) | bitIfSame(upper[x], row[x], 2) |
-                   bitIfSame(upper[x + 1], row[x], 4) | bitIfSame(row[x + 1], row[x], 8) |
-                   bitIfSame(lower[x + 1], row[x], 16) | bitIfSame(lower[x], row[x], 32) |
-                   bitIfSame(lower[x - 1], row[x], 64) | bitIfSame(row[x - 1], row[x], 128);
-}
-
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)
 {
     const int width = labels.size().width;

@@ -79,13 +79,12 @@ private:
         const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
-            RegionChoice::OpenPixel open[RegionChoice::BATCH];
-            const int n = choice_.findOpen(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH),
-                                           open);
-            for (int i = 0; i < n; i++)
+            RegionChoice::OpenPixels open;
+            choice_.findOpen(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), open);
+            for (int i = 0; i < open.count; i++)
             {
-                const RegionChoice::Choice chosen = choice_.choose(open[i]);
-                const Point p(open[i].index - left, y);
+                const RegionChoice::Choice chosen = choice_.choose(open, i);
+                const Point p(open.indices[i] - left, y);
                 if (chosen.region != labels_.row(y)[p.x] && permits(p, chosen.region))
                     move(c, p, chosen);
             }

@@ -6,6 +6,35 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+// Compilers make vectors of the following two, which is why the first of them is not inlined into loops.
+
+static inline int bitIfSame(int label, int other, int bit)
+{
+    return -int(label == other) & bit;
+}
+
+int neighborMask(const int* pixel, int step, int label)
+{
+    // Four columns at once. The one too many is to the right above, and to the left else: there are always labels.
+    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 0, 128, 0, 8 }, LOWER[4] = { 0, 64, 32, 16 };
+    const int *upper = pixel - step - 1, *middle = pixel - 2, *lower = pixel + step - 2;
+    int mask = 0;
+    for (int i = 0; i < 4; i++)
+        mask |= bitIfSame(upper[i], label, UPPER[i]) | bitIfSame(middle[i], label, MIDDLE[i]) |
+                bitIfSame(lower[i], label, LOWER[i]);
+    return mask;
+}
+
+void findMasksOfRow(const int* row, int step, int n, int* masks)
+{
+    const int *upper = row - step, *lower = row + step;
+    for (int x = 0; x < n; x++)
+        masks[x] = bitIfSame(upper[x - 1], row[x], 1) | bitIfSame(upper[x], row[x], 2) |
+                   bitIfSame(upper[x + 1], row[x], 4) | bitIfSame(row[x + 1], row[x], 8) |
+                   bitIfSame(lower[x + 1], row[x], 16) | bitIfSame(lower[x], row[x], 32) |
+                   bitIfSame(lower[x - 1], row[x], 64) | bitIfSame(row[x - 1], row[x], 128);
+}
+
 static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
 
 //! Each neighbour of a pixel lies in its block or in one of the neighbours of that.

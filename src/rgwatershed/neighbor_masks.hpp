@@ -9,25 +9,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A bit if two labels agree. Compilers make vectors of it.
-inline int bitIfSame(int label, int other, int bit)
-{
-    return -int(label == other) & bit;
-}
-
 //! The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
 //! its 4-neighbours. A mask tells which of them have a label.
-inline int neighborMask(const int* pixel, int step, int label)
-{
-    // Four columns at once. The one too many is to the right above, and to the left else: there are always labels.
-    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 0, 128, 0, 8 }, LOWER[4] = { 0, 64, 32, 16 };
-    const int *upper = pixel - step - 1, *middle = pixel - 2, *lower = pixel + step - 2;
-    int mask = 0;
-    for (int i = 0; i < 4; i++)
-        mask |= bitIfSame(upper[i], label, UPPER[i]) | bitIfSame(middle[i], label, MIDDLE[i]) |
-                bitIfSame(lower[i], label, LOWER[i]);
-    return mask;
-}
+int neighborMask(const int* pixel, int step, int label);
+
+//! The masks of a row of pixels with their own labels.
+void findMasksOfRow(const int* row, int step, int n, int* masks);
 
 //! What a pixel must know of the mask of its neighbours with one label.
 class MaskTable

@@ -16,8 +16,9 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
     {
         const int others = ~mask & 255;
         savings_[mask] = length_price * table_.agreement(mask);
-        most_savings_[mask] = length_price * table_.agreement(others);
-        bounds_[mask] = table_.canLeave(mask) ? savings_[mask] - most_savings_[mask] : INT_MAX;
+        // No region saves more boundary than with all neighbours that do not agree.
+        const int most = length_price * table_.agreement(others);
+        bounds_[mask] = table_.canLeave(mask) ? savings_[mask] - most : INT_MAX;
         first_offsets_[mask] = offsets[table_.first(others & MaskTable::FOUR_NEIGHBORS)];
         last_offsets_[mask] = offsets[table_.last(others & MaskTable::FOUR_NEIGHBORS)];
     }
@@ -25,58 +26,62 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches: no one could foresee which they are.
-template <bool WITH_DEPTH> int RegionChoice::findOpenWith(const int* pixels, int n, OpenPixel* open) const
+template <bool WITH_DEPTH> void RegionChoice::findOpenWith(const int* pixels, int n, OpenPixels& open) const
 {
     Feature features[BATCH];
     RegionMean means[BATCH];
-    int squares[BATCH];
+    uchar several[BATCH]; // other regions
     for (int i = 0; i < n; i++)
     {
         features[i] = features_[pixels[i]];
         means[i] = means_[labels_[pixels[i]]];
     }
-    distance_.squared<WITH_DEPTH>(features, means, n, squares);
+    distance_.squared<WITH_DEPTH>(features, means, n, open.squares);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
-        const int mask = masks_[pixels[i]];
-        const OpenPixel pixel = { pixels[i], squares[i] - savings_[mask], 0 };
-        open[count] = pixel;
+        const int pixel = pixels[i], slack = open.squares[i] - bounds_[masks_[pixel]];
         features[count] = features[i];
-        count += squares[i] > bounds_[mask];
+        open.indices[count] = pixel;
+        open.slack[count] = slack;
+        count += slack > 0;
     }
 
     for (int i = 0; i < count; i++)
     {
-        const int* label = labels_ + open[i].index;
-        means[i] = means_[std::max(label[first_offsets_[masks_[open[i].index]]], 0)];
+        const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
+        const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
+        means[i] = means_[first & ~(first >> 31)];
+        several[i] = uchar((first != last) | table_.isTip(mask));
     }
-    distance_.squared<WITH_DEPTH>(features, means, count, squares);
-    int num_open = 0;
+    distance_.squared<WITH_DEPTH>(features, means, count, open.squares);
+    open.count = 0;
     for (int i = 0; i < count; i++)
     {
-        const OpenPixel pixel = { open[i].index, open[i].energy, squares[i] };
-        const int mask = masks_[pixel.index];
-        const int* label = labels_ + pixel.index;
-        open[num_open] = pixel;
-        const bool several = (label[first_offsets_[mask]] != label[last_offsets_[mask]]) | table_.isTip(mask);
-        num_open += (squares[i] - most_savings_[mask] < pixel.energy) | several;
+        const int index = open.indices[i], slack = open.slack[i], square = open.squares[i];
+        open.indices[open.count] = index;
+        open.slack[open.count] = slack;
+        open.squares[open.count] = square;
+        open.count += (square < slack) | several[i];
     }
-    return num_open;
 }
 
-int RegionChoice::findOpen(const int* pixels, int n, OpenPixel* open) const
+void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
 {
-    return distance_.with_depth ? findOpenWith<true>(pixels, n, open) : findOpenWith<false>(pixels, n, open);
+    if (distance_.with_depth)
+        findOpenWith<true>(pixels, n, open);
+    else
+        findOpenWith<false>(pixels, n, open);
 }
 
-RegionChoice::Choice RegionChoice::choose(const OpenPixel& pixel) const
+RegionChoice::Choice RegionChoice::choose(const OpenPixels& open, int i) const
 {
-    const int* label = labels_ + pixel.index;
-    Choice best = { *label, masks_[pixel.index] };
-    int region = label[first_offsets_[best.mask]], seen = best.mask, lowest = pixel.energy, square = pixel.square;
+    const int index = open.indices[i], *label = labels_ + index;
+    Choice best = { *label, masks_[index] };
+    int seen = best.mask, square = open.squares[i], lowest = open.slack[i] - savings_[~seen & 255];
     while (true)
     {
+        const int region = label[first_offsets_[seen]];
         const Choice other = { region, neighborMask(label, step_, region) };
         const int energy = square - savings_[other.mask];
         const bool better = (energy < lowest) & (region >= 0);
@@ -85,8 +90,7 @@ RegionChoice::Choice RegionChoice::choose(const OpenPixel& pixel) const
         seen |= other.mask;
         if (!(~seen & MaskTable::FOUR_NEIGHBORS))
             return best;
-        region = label[first_offsets_[seen]];
-        square = distance_.squared(features_[pixel.index], means_[std::max(region, 0)]);
+        square = distance_.squared(features_[index], means_[std::max(label[first_offsets_[seen]], 0)]);
     }
 }
 

@@ -17,6 +17,15 @@ class RegionChoice
 public:
     enum { BATCH = 256 };
 
+    //! Pixels that another region may win.
+    struct OpenPixels
+    {
+        int count;
+        int indices[BATCH];
+        int slack[BATCH];   //!< a squared distance below which a region wins that has all neighbours but those of its own
+        int squares[BATCH]; //!< of the distance to the region of the first 4-neighbour that is not in its own
+    };
+
     //! A region, and the mask of the neighbours of a pixel that are in it.
     struct Choice
     {
@@ -27,21 +36,14 @@ public:
     RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
                  const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
 
-    //! A pixel that another region may win: its energy in its own region, and the squared distance to that of the first
-    //! of its other 4-neighbours.
-    struct OpenPixel
-    {
-        int index, energy, square;
-    };
-
-    //! Finds those of up to BATCH pixels, and returns how many. What cannot leave any more is passed over, too.
-    int findOpen(const int* pixels, int n, OpenPixel* open) const;
+    //! Finds the open ones of up to BATCH pixels. What cannot leave any more is not open, either.
+    void findOpen(const int* pixels, int n, OpenPixels& open) const;
 
     //! The region of a 4-neighbour of the lowest energy, its own if none is lower than that of its own.
-    Choice choose(const OpenPixel& pixel) const;
+    Choice choose(const OpenPixels& open, int i) const;
 
 private:
-    template <bool WITH_DEPTH> int findOpenWith(const int* pixels, int n, OpenPixel* open) const;
+    template <bool WITH_DEPTH> void findOpenWith(const int* pixels, int n, OpenPixels& open) const;
 
     const MaskTable& table_;
     const Feature* const features_;
@@ -52,8 +54,7 @@ private:
     const int step_;
     // By mask of the neighbours that agree:
     int savings_[256];                           // of energy
-    int most_savings_[256];                      // of any other region
-    int bounds_[256];                            // square above which another region may win
+    int bounds_[256];                            // square of its own distance above which another region may win
     int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours that do not agree
 };
 
