@@ -107,9 +107,13 @@ private:
             markAround(c, p);
         }
         label = to.region;
-        uchar* mask = sweeper_.masks_.row(p.y) + p.x;
-        const int changed = *mask | to.mask;
-        *mask = uchar(to.mask);
+        changeMasks(sweeper_.masks_.row(p.y) + p.x, to.mask);
+    }
+
+    //! @note Loads of words come before stores of bytes, because a load of what was just stored in parts is slow.
+    void changeMasks(uchar* mask, int own_mask)
+    {
+        const int changed = *mask | own_mask;
         for (int row = 0; row < 3; row++)
         {
             uchar* bytes = mask + (row - 1) * labels_.step() - 1;
@@ -119,6 +123,7 @@ private:
             masks ^= changes;
             memcpy(bytes, &masks, sizeof(masks));
         }
+        *mask = uchar(own_mask);
     }
 
     //! Marks the 3x3 pixels around a move, which lie in 2x2 quads.

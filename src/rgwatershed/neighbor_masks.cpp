@@ -15,9 +15,10 @@ static inline int bitIfSame(int label, int other, int bit)
 
 int neighborMask(const int* pixel, int step, int label)
 {
-    // Four columns at once. The one too many is to the right above, and to the left else: there are always labels.
-    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 0, 128, 0, 8 }, LOWER[4] = { 0, 64, 32, 16 };
-    const int *upper = pixel - step - 1, *middle = pixel - 2, *lower = pixel + step - 2;
+    // Four columns at once. The one too many is to the left below, and to the right else: there are always labels.
+    // (To the left in the middle, a label may have been written just before, which makes loads slow.)
+    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 128, 0, 8, 0 }, LOWER[4] = { 0, 64, 32, 16 };
+    const int *upper = pixel - step - 1, *middle = pixel - 1, *lower = pixel + step - 2;
     int mask = 0;
     for (int i = 0; i < 4; i++)
         mask |= bitIfSame(upper[i], label, UPPER[i]) | bitIfSame(middle[i], label, MIDDLE[i]) |
