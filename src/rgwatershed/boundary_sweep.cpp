@@ -79,14 +79,14 @@ private:
         const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
-            RegionChoice::OpenPixels open;
-            choice_.findOpen(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), open);
-            for (int i = 0; i < open.count; i++)
+            RegionChoice::Gain gains[RegionChoice::BATCH];
+            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH),
+                                            gains);
+            for (int i = 0; i < n; i++)
             {
-                const RegionChoice::Choice chosen = choice_.choose(open, i);
-                const Point p(open.indices[i] - left, y);
-                if (chosen.region != labels_.row(y)[p.x] && permits(p, chosen.region))
-                    move(c, p, chosen);
+                const Point p(gains[i].pixel - left, y);
+                if (permits(p, gains[i].region))
+                    move(c, p, gains[i]);
             }
         }
     }
@@ -97,7 +97,7 @@ private:
                (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
-    void move(int c, Point p, const RegionChoice::Choice& to)
+    void move(int c, Point p, const RegionChoice::Gain& to)
     {
         int& label = labels_.row(p.y)[p.x];
         if (!rules_.last)

@@ -26,7 +26,7 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches: no one could foresee which they are.
-template <bool WITH_DEPTH> void RegionChoice::findOpenWith(const int* pixels, int n, OpenPixels& open) const
+template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
 {
     Feature features[BATCH];
     RegionMean means[BATCH];
@@ -66,32 +66,57 @@ template <bool WITH_DEPTH> void RegionChoice::findOpenWith(const int* pixels, in
     }
 }
 
-void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
+void RegionChoice::compare(int pixel, int square, Choice& choice) const
 {
-    if (distance_.with_depth)
-        findOpenWith<true>(pixels, n, open);
-    else
-        findOpenWith<false>(pixels, n, open);
+    const int* label = labels_ + pixel;
+    const int region = label[first_offsets_[choice.seen]], mask = neighborMask(label, step_, region);
+    const int energy = square - savings_[mask];
+    const int better = -int((energy < choice.energy) & (region >= 0)); // all bits
+    choice.region ^= (choice.region ^ region) & better;
+    choice.mask ^= (choice.mask ^ mask) & better;
+    choice.energy ^= (choice.energy ^ energy) & better;
+    choice.seen |= mask;
 }
 
-RegionChoice::Choice RegionChoice::choose(const OpenPixels& open, int i) const
+int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
 {
-    const int index = open.indices[i], *label = labels_ + index;
-    Choice best = { *label, masks_[index] };
-    int seen = best.mask, square = open.squares[i], lowest = open.slack[i] - savings_[~seen & 255];
-    while (true)
+    OpenPixels open;
+    if (distance_.with_depth)
+        findOpen<true>(pixels, n, open);
+    else
+        findOpen<false>(pixels, n, open);
+
+    Choice choices[BATCH];
+    int unfinished[BATCH], num_unfinished = 0;
+    for (int i = 0; i < open.count; i++)
     {
-        const int region = label[first_offsets_[seen]];
-        const Choice other = { region, neighborMask(label, step_, region) };
-        const int energy = square - savings_[other.mask];
-        const bool better = (energy < lowest) & (region >= 0);
-        best = better ? other : best;
-        lowest = better ? energy : lowest;
-        seen |= other.mask;
-        if (!(~seen & MaskTable::FOUR_NEIGHBORS))
-            return best;
-        square = distance_.squared(features_[index], means_[std::max(label[first_offsets_[seen]], 0)]);
+        const int pixel = open.indices[i], mask = masks_[pixel];
+        Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
+        compare(pixel, open.squares[i], choice);
+        choices[i] = choice;
+        unfinished[num_unfinished] = i;
+        num_unfinished += (~choice.seen & MaskTable::FOUR_NEIGHBORS) != 0;
     }
+    for (int i = 0; i < num_unfinished; i++)
+    {
+        Choice& choice = choices[unfinished[i]];
+        const int pixel = open.indices[unfinished[i]], *label = labels_ + pixel;
+        do
+        {
+            const int region = label[first_offsets_[choice.seen]];
+            compare(pixel, distance_.squared(features_[pixel], means_[std::max(region, 0)]), choice);
+        }
+        while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
+    }
+
+    int count = 0;
+    for (int i = 0; i < open.count; i++)
+    {
+        const Gain gain = { open.indices[i], choices[i].region, choices[i].mask };
+        gains[count] = gain;
+        count += gain.region != labels_[gain.pixel];
+    }
+    return count;
 }
 
 }}} // namespace

@@ -17,33 +17,40 @@ class RegionChoice
 public:
     enum { BATCH = 256 };
 
-    //! Pixels that another region may win.
-    struct OpenPixels
+    //! A pixel that is better off in another region, and the mask of its neighbours that are in that.
+    struct Gain
     {
-        int count;
-        int indices[BATCH];
-        int slack[BATCH];   //!< a squared distance below which a region wins that has all neighbours but those of its own
-        int squares[BATCH]; //!< of the distance to the region of the first 4-neighbour that is not in its own
-    };
-
-    //! A region, and the mask of the neighbours of a pixel that are in it.
-    struct Choice
-    {
-        int region, mask;
+        int pixel, region, mask;
     };
 
     //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
     RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
                  const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
 
-    //! Finds the open ones of up to BATCH pixels. What cannot leave any more is not open, either.
-    void findOpen(const int* pixels, int n, OpenPixels& open) const;
-
-    //! The region of a 4-neighbour of the lowest energy, its own if none is lower than that of its own.
-    Choice choose(const OpenPixels& open, int i) const;
+    //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
+    //! each. Returns how many. Pixels that cannot leave are none of them.
+    int findGains(const int* pixels, int n, Gain* gains) const;
 
 private:
-    template <bool WITH_DEPTH> void findOpenWith(const int* pixels, int n, OpenPixels& open) const;
+    //! Pixels that another region may win.
+    struct OpenPixels
+    {
+        int count;
+        int indices[BATCH];
+        int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
+        int squares[BATCH]; // of the distance to the region of the first 4-neighbour that is not in its own
+    };
+
+    //! The best choice of a pixel so far.
+    struct Choice
+    {
+        int region, mask, energy, seen; // seen: neighbours in regions that were looked at
+    };
+
+    template <bool WITH_DEPTH> void findOpen(const int* pixels, int n, OpenPixels& open) const;
+
+    //! Takes the region of the first 4-neighbour that was not seen, if it is better.
+    void compare(int pixel, int square, Choice& choice) const;
 
     const MaskTable& table_;
     const Feature* const features_;
