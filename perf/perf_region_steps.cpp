@@ -46,18 +46,14 @@ public:
                              regions_);
     }
 
-    void sweep(int level, double price)
+    void sweepBlocks()
     {
-        gws::sweepBoundary(features_[level], level == TOP ? flood_distance_ : sweep_distance_,
-                           gws::boundaryPrice(price, PERF_REGION_SIZE, ruler_), 0,
-                           [&](const Range& rows, gws::BoundaryList& list)
-                           {
-                               gws::listBoundary(labels_[level], rows, list);
-                           }, sweep_buffers_, labels_[level], regions_);
+        sweeper_.sweepAll(features_[TOP], rules(flood_distance_, gws::PRICE_BEFORE_MERGING), labels_[TOP], regions_);
     }
-
-    void sweepBlocks() { sweep(TOP, gws::PRICE_BEFORE_MERGING); }
-    void sweepPixels() { sweep(0, gws::PRICE); }
+    void sweepPixels()
+    {
+        sweeper_.sweepBlocks(labels_[1], features_[0], rules(sweep_distance_, gws::PRICE), labels_[0], regions_);
+    }
 
     void merge()
     {
@@ -65,18 +61,22 @@ public:
                                  labels_[TOP], regions_);
     }
 
-    void labelPixels()
+    void labelBlocks()
     {
+        gws::doubleLabels(labels_[TOP], features_[1].size(), labels_[1]);
         for (int level = TOP - 1; level >= 0; level--)
-        {
-            gws::doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
             regions_.divideBlocks();
-        }
     }
 
     Pictures pictures;
 
 private:
+    gws::SweepRules rules(const gws::RegionDistance& distance, double price) const
+    {
+        const gws::SweepRules rules = { distance, gws::boundaryPrice(price, PERF_REGION_SIZE, ruler_), Mat(), 0, false };
+        return rules;
+    }
+
     const int num_superpixels_;
     const float ruler_;
     const gws::RegionDistance flood_distance_, sweep_distance_;
@@ -87,13 +87,13 @@ private:
     std::vector<gws::MarkerBand> bands_;
     gws::Regions regions_;
     gws::FloodBuffers flood_buffers_;
-    gws::SweepBuffers sweep_buffers_;
+    gws::BoundarySweeper sweeper_;
     gws::MergeBuffers merge_buffers_;
 };
 
-enum { FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_PIXELS, SWEEP_OF_PIXELS };
+enum { FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_BLOCKS, SWEEP_OF_PIXELS };
 
-CV_ENUM(RegionStep, FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_PIXELS, SWEEP_OF_PIXELS)
+CV_ENUM(RegionStep, FEATURES, MARKERS, FLOOD, SWEEP_OF_BLOCKS, MERGING, LABELS_OF_BLOCKS, SWEEP_OF_PIXELS)
 
 typedef PicturesTest<tuple<RegionStep, Size> > Perf_GWatershed_region_step;
 
@@ -102,7 +102,7 @@ PERF_TEST_P(Perf_GWatershed_region_step, region_step, testing::Combine(RegionSte
 {
     typedef void (RegionSteps::*Call)();
     const Call calls[] = { &RegionSteps::makeFeatures, &RegionSteps::placeMarkers, &RegionSteps::flood,
-                           &RegionSteps::sweepBlocks, &RegionSteps::merge, &RegionSteps::labelPixels,
+                           &RegionSteps::sweepBlocks, &RegionSteps::merge, &RegionSteps::labelBlocks,
                            &RegionSteps::sweepPixels };
     const int step = get<0>(GetParam());
     RegionSteps steps(get<1>(GetParam()));

@@ -20,19 +20,24 @@ void BoundaryList::begin(int first_row)
 
 void BoundaryList::addRow(const Quad* quads, int n, int first, int step)
 {
+    int* next[NUM_CLASSES];
     for (int c = 0; c < NUM_CLASSES; c++)
     {
-        const int corner = first + (c >> 1) * step + (c & 1);
-        size_t count = pixels_[c].size();
-        pixels_[c].resize(count + n);
-        for (int i = 0; i < n; i++)
-        {
-            pixels_[c][count] = corner + 2 * quads[i].x;
-            count += (quads[i].classes >> c) & 1;
-        }
-        pixels_[c].resize(count);
-        ends_[c].push_back(int(count));
+        pixels_[c].resize(ends_[c].back() + n);
+        next[c] = pixels_[c].data() + ends_[c].back();
     }
+    for (int i = 0; i < n; i++)
+    {
+        const int upper = first + 2 * quads[i].x, lower = upper + step, classes = quads[i].classes;
+        *next[0] = upper;
+        *next[1] = upper + 1;
+        *next[2] = lower;
+        *next[3] = lower + 1;
+        for (int c = 0; c < NUM_CLASSES; c++)
+            next[c] += (classes >> c) & 1;
+    }
+    for (int c = 0; c < NUM_CLASSES; c++)
+        ends_[c].push_back(int(next[c] - pixels_[c].data()));
 }
 
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)

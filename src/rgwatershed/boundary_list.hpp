@@ -41,14 +41,15 @@ public:
 
     Part part(int c, int row) const
     {
-        const std::vector<int>& ends = ends_[c];
-        const Part result = { pixels_[c].data() + ends[row - first_row_], ends[row - first_row_ + 1] - ends[row - first_row_] };
+        const int* ends = &ends_[c][row - first_row_];
+        const Part result = { pixels_[c].data() + ends[0], ends[1] - ends[0] };
         return result;
     }
 
 private:
     int first_row_;
-    std::vector<int> pixels_[NUM_CLASSES], ends_[NUM_CLASSES];
+    std::vector<int> pixels_[NUM_CLASSES]; // with room at the end
+    std::vector<int> ends_[NUM_CLASSES];   // of the rows; the first is 0
 };
 
 //! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
