@@ -53,7 +53,7 @@ class BoundarySweeper::Wave
 {
 public:
     Wave(const RegionChoice& choice, const SweepRules& rules, Padded<int>& labels, BoundarySweeper& sweeper,
-         std::vector<Move>& moves)
+         Moves& moves)
         : table_(maskTable()), choice_(choice), rules_(rules), labels_(labels), sweeper_(sweeper), moves_(moves)
     {
     }
@@ -103,7 +103,7 @@ private:
         if (!rules_.last)
         {
             const Move made = { labels_.index(p), label, to.region };
-            moves_.push_back(made);
+            moves_.add(made);
             markAround(c, p);
         }
         label = to.region;
@@ -144,8 +144,22 @@ private:
     const SweepRules& rules_;
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
-    std::vector<Move>& moves_;
+    Moves& moves_;
 };
+
+void BoundarySweeper::Moves::clear()
+{
+    list.clear();
+    lowest_region = INT_MAX;
+    highest_region = -1;
+}
+
+void BoundarySweeper::Moves::add(const Move& move)
+{
+    list.push_back(move);
+    lowest_region = std::min(lowest_region, std::min(move.from, move.to));
+    highest_region = std::max(highest_region, std::max(move.from, move.to));
+}
 
 void BoundarySweeper::begin(Size size)
 {
@@ -217,27 +231,41 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
         for (int i = range.start; i < range.end; i++)
             Wave(choice, rules, labels, *this, moves_[num_bands + i - 1]).run(ClassRows::between(i * BAND_HEIGHT, height));
     });
-    moved_ = std::any_of(moves_.begin(), moves_.end(), [](const std::vector<Move>& moves) { return !moves.empty(); });
-    if (!rules.last)
-        addMoves(features, rules, labels, regions);
+    moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
+    if (rules.last)
+        return;
+    const int STRIPES = 8, n = regions.size();
+    parallel_for_(Range(0, STRIPES), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            updateRegions(Range(int(int64(n) * i / STRIPES), int(int64(n) * (i + 1) / STRIPES)), features, rules.guard,
+                          regions);
+    });
 }
 
-void BoundarySweeper::addMoves(const Padded<Feature>& features, const SweepRules& rules, const Padded<int>& labels,
-                               Regions& regions) const
+//! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
+//! so few of them are looked at in vain.
+void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+                                    Regions& regions) const
 {
+    const auto add = [&](int index, int region, int times)
+    {
+        if (region < range.start || region >= range.end)
+            return;
+        regions.sums[region].add(features.data()[index], times);
+        if (guard)
+            guard->add(features.point(index), region, times);
+    };
     for (size_t i = 0; i < moves_.size(); i++)
-        for (size_t k = 0; k < moves_[i].size(); k++)
+        for (size_t k = 0; k < moves_[i].list.size() && moves_[i].meets(range); k++)
         {
-            const Move& move = moves_[i][k];
-            const Feature& feature = features.data()[move.index];
-            regions.sums[move.from].add(feature, -1);
-            regions.sums[move.to].add(feature);
-            if (rules.guard)
-                rules.guard->move(labels.point(move.index), move.from, move.to);
+            add(moves_[i].list[k].index, moves_[i].list[k].from, -1);
+            add(moves_[i].list[k].index, moves_[i].list[k].to, 1);
         }
-    regions.update();
-    if (rules.guard)
-        rules.guard->update();
+    for (int i = range.start; i < range.end; i++)
+        regions.update(i);
+    if (guard)
+        guard->update(range);
 }
 
 }}} // namespace

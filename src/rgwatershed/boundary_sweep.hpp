@@ -22,12 +22,6 @@ struct SweepRules
     bool last;             //!< no one will ask for the sums and means of the regions any more
 };
 
-//! A pixel that went from a region to another one.
-struct Move
-{
-    int index, from, to;
-};
-
 //! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
 //! region stays one piece. Holds the state between sweeps.
 //!
@@ -52,19 +46,39 @@ public:
 
 private:
     class Wave;
+
+    struct Move
+    {
+        int index, from, to;
+    };
+
+    //! Moves in some rows, and the regions that lost or gained by them.
+    struct Moves
+    {
+        std::vector<Move> list;
+        int lowest_region, highest_region;
+
+        void clear();
+        void add(const Move& move);
+        bool meets(const Range& regions) const
+        {
+            return highest_region >= regions.start && lowest_region < regions.end;
+        }
+    };
+
     typedef std::function<void(const Range& rows, BoundaryList& list)> List;
 
     void begin(Size size);
     void clearMarks(const Range& rows);
     void sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
-    void addMoves(const Padded<Feature>& features, const SweepRules& rules, const Padded<int>& labels,
-                  Regions& regions) const;
+    void updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+                       Regions& regions) const;
 
-    Padded<uchar> masks_;                   // of the neighbours with the same label, by pixel
-    Padded<uchar> marks_;                   // of the classes that touch a move, by quad
-    std::vector<BoundaryList> lists_;       // by band
-    std::vector<std::vector<Move> > moves_; // within bands, then between them
+    Padded<uchar> masks_;             // of the neighbours with the same label, by pixel
+    Padded<uchar> marks_;             // of the classes that touch a move, by quad
+    std::vector<BoundaryList> lists_; // by band
+    std::vector<Moves> moves_;        // within bands, then between them
     bool moved_ = false;
 };
 
