@@ -48,11 +48,12 @@ public:
 
     void sweepBlocks()
     {
-        sweeper_.sweepAll(features_[TOP], rules(flood_distance_, gws::PRICE_BEFORE_MERGING), labels_[TOP], regions_);
+        sweepers_[TOP].sweepAll(features_[TOP], rules(flood_distance_, gws::PRICE_BEFORE_MERGING), labels_[TOP],
+                                regions_);
     }
     void sweepPixels()
     {
-        sweeper_.sweepBlocks(labels_[1], features_[0], rules(sweep_distance_, gws::PRICE), labels_[0], regions_);
+        sweepers_[0].sweepBlocks(labels_[1], features_[0], rules(sweep_distance_, gws::PRICE), labels_[0], regions_);
     }
 
     void merge()
@@ -73,7 +74,8 @@ public:
 private:
     gws::SweepRules rules(const gws::RegionDistance& distance, double price) const
     {
-        const gws::SweepRules rules = { distance, gws::boundaryPrice(price, PERF_REGION_SIZE, ruler_), Mat(), 0, false };
+        const int length_price = gws::boundaryPrice(price, PERF_REGION_SIZE, ruler_);
+        const gws::SweepRules rules = { distance, length_price, Mat(), 0, false };
         return rules;
     }
 
@@ -87,7 +89,7 @@ private:
     std::vector<gws::MarkerBand> bands_;
     gws::Regions regions_;
     gws::FloodBuffers flood_buffers_;
-    gws::BoundarySweeper sweeper_;
+    gws::BoundarySweeper sweepers_[TOP + 1];
     gws::MergeBuffers merge_buffers_;
 };
 

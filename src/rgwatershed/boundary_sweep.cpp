@@ -14,12 +14,12 @@ namespace cv { namespace ximgproc { namespace gws {
 // all bands are done. So the result is that of one class after another.
 // The same holds for what a move writes: the masks of its neighbours and the marks of their quads.
 
-enum { BAND_HEIGHT = 16 }; // in quads; at least 5, so that the rows left out between bands do not meet
+enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
 
 //! Rows of quads that a class is looked at in.
 struct ClassRows
 {
-    explicit ClassRows(const Range& all) { std::fill_n(rows, 4, all); }
+    explicit ClassRows(const Range& all) { std::fill_n(rows, int(NUM_CLASSES), all); }
 
     //! What of a band has no neighbour in another one, or none that counts.
     static ClassRows within(const Range& band, int height)
@@ -45,7 +45,7 @@ struct ClassRows
 
     bool has(int c, int row) const { return row >= rows[c].start && row < rows[c].end; }
 
-    Range rows[4];
+    Range rows[NUM_CLASSES];
 };
 
 //! What one thread does.
@@ -58,12 +58,12 @@ public:
     {
     }
 
-    //! Class 3 comes one row after class 0, which it needs above and below, class 1 with it, and class 2 two rows after.
+    //! Class 3 comes one row after class 0, which it needs above and below, class 1 with it, class 2 two rows after.
     void run(const ClassRows& classes)
     {
-        const int LAGS[4] = { 0, 1, 2, 1 }, ORDER[4] = { 0, 3, 1, 2 };
+        const int ORDER[NUM_CLASSES] = { 0, 3, 1, 2 }, LAGS[NUM_CLASSES] = { 0, 1, 2, 1 };
         for (int row = classes.rows[0].start; row < classes.rows[2].end + LAGS[2]; row++)
-            for (int i = 0; i < 4; i++)
+            for (int i = 0; i < NUM_CLASSES; i++)
             {
                 const int c = ORDER[i];
                 if (classes.has(c, row - LAGS[c]))
@@ -133,7 +133,7 @@ private:
         const int column = c & 1 ? 5 : 10, row = c & 2 ? 3 : 12; // of their pixels that touch the move
         uchar* near_row = sweeper_.marks_.row(p.y / 2) + p.x / 2;
         uchar* far_row = near_row + (c & 2 ? 1 : -1) * sweeper_.marks_.step();
-        near_row[0] = 15;
+        near_row[0] = ALL_CLASSES;
         near_row[side] |= uchar(column);
         far_row[0] |= uchar(row);
         far_row[side] |= uchar(row & column);
@@ -229,7 +229,10 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     parallel_for_(Range(1, num_bands), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            Wave(choice, rules, labels, *this, moves_[num_bands + i - 1]).run(ClassRows::between(i * BAND_HEIGHT, height));
+        {
+            const ClassRows rows = ClassRows::between(i * BAND_HEIGHT, height);
+            Wave(choice, rules, labels, *this, moves_[num_bands + i - 1]).run(rows);
+        }
     });
     moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
     if (rules.last)

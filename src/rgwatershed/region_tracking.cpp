@@ -40,7 +40,7 @@ bool RGWatershed::track(const Frame& frame, int level, int length_price, const P
     regions_.resize(int(errors_.size()));
     measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
     const SweepRules rules = { distance, length_price, Mat(), 0, false };
-    sweeper_.sweepAll(features_[level], rules, labels_[level], regions_);
+    sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
     sweepAgain(SWEEPS_TO_TRACK - 1, level, rules);
     measureErrors(features_[level], distance, labels_[level], regions_, errors);
 

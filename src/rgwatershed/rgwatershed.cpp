@@ -52,8 +52,8 @@ void RGWatershed::reserve(Size size)
 //! Sweeps around the pixels that moved in the last one.
 void RGWatershed::sweepAgain(int count, int level, const SweepRules& rules)
 {
-    for (int i = 0; i < count && sweeper_.moved(); i++)
-        sweeper_.sweepAround(features_[level], rules, labels_[level], regions_);
+    for (int i = 0; i < count && sweepers_[level].moved(); i++)
+        sweepers_[level].sweepAround(features_[level], rules, labels_[level], regions_);
 }
 
 //! Gradients beside what is outside of the mask are not known.
@@ -93,7 +93,7 @@ void RGWatershed::floodAndMerge(const Frame& frame, int level, double side, cons
     floodFromPoints(features, markers_, bands_, distance, floodRuler(blocks, num_markers, parameters.ruler),
                     flood_buffers_, labels_[level], regions_);
     const SweepRules rules = { distance, boundaryPrice(PRICE_BEFORE_MERGING, side, parameters.ruler), Mat(), 0, false };
-    sweeper_.sweepAll(features, rules, labels_[level], regions_);
+    sweepers_[level].sweepAll(features, rules, labels_[level], regions_);
     sweepAgain(SWEEPS_BEFORE_MERGING - 1, level, rules);
     mergeSimilarRegions(num_superpixels, distance, lengthExponent(parameters.ruler), merge_buffers_,
                         labels_[level], regions_);
@@ -168,16 +168,16 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
         if (level < top)
             descend(frame, level, distance);
         if (level < top && !masked)
-            sweeper_.sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
+            sweepers_[level].sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
         else
-            sweeper_.sweepAll(features_[level], rules, labels_[level], regions_);
+            sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
         sweepAgain(num_sweeps - 1, level, rules);
     }
     if (num_iterations > 1)
     {
         VariationGuard guard(frame.color, labels_[0], regions_.size());
         rules.guard = &guard;
-        for (int i = 1; i < num_iterations && sweeper_.moved(); i++)
+        for (int i = 1; i < num_iterations && sweepers_[0].moved(); i++)
         {
             if (i == ITERATIONS_WITH_TIES)
                 guard.forbidTies();

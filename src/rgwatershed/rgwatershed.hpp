@@ -65,7 +65,7 @@ private:
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
-    BoundarySweeper sweeper_;
+    BoundarySweeper sweepers_[MAX_LEVEL + 1];
 };
 
 }}} // namespace
