@@ -51,19 +51,19 @@ struct Steps
 {
     explicit Steps(Size size) : pictures(size) {}
 
-    void gradientStep() { gws::computeGradientMap(pictures.image(), Mat(), COLOR_ALONE, gray, gradient); }
+    void gradientStep() { gws::computeGradientMap(pictures.image(), Mat(), COLOR_ALONE, gradient); }
     void markersStep() { gws::placeGridMarkers(gradient, perfNumSuperpixels(gradient.size()), markers); }
     void nodesStep()
     {
-        gws::makePixelMap(pictures.image(), Mat(), pixels);
+        gws::makePixelMap(pictures.image(), Mat(), COLOR_ALONE, gradient, 0, pixels);
         gws::labelMarkers(markers, pixels);
     }
-    void floodStep() { gws::floodFromMarkers(gradient, 0, COLOR_ALONE, pixels, flood); }
-    void linesStep() { gws::absorbLines(COLOR_ALONE, pixels, lines); }
+    void floodStep() { gws::floodFromMarkers(pixels, flood); }
+    void linesStep() { gws::absorbLines(pixels, lines); }
     void labelsStep() { gws::extractLabels(pixels, labels); }
 
     Pictures pictures;
-    Mat gray, gradient, labels;
+    Mat gradient, labels;
     std::vector<Point> markers;
     gws::PixelFloodBuffers flood;
     gws::LineBuffers lines;

@@ -20,11 +20,11 @@ typedef PicturesTest<Size> Perf_GWatershed_peer;
 PERF_TEST_P(Perf_GWatershed_peer, watershed, GWATERSHED_PERF_SIZES)
 {
     Pictures pictures(GetParam());
-    Mat gray, gradient, labels;
+    Mat gradient, labels;
     std::vector<Point> markers;
     timeOver(pictures, [&]()
     {
-        gws::computeGradientMap(pictures.image(), Mat(), 256, gray, gradient);
+        gws::computeGradientMap(pictures.image(), Mat(), 256, gradient);
         gws::placeGridMarkers(gradient, perfNumSuperpixels(GetParam()), markers);
         labels = Mat::zeros(GetParam(), CV_32SC1);
         for (size_t i = 0; i < markers.size(); i++)

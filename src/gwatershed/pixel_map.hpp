@@ -6,7 +6,6 @@
 #define OPENCV_GWATERSHED_PIXEL_MAP_HPP
 
 #include "shared/padded.hpp"
-#include "shared/pixel.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -19,22 +18,28 @@ enum PixelState
     FRAME = INT_MIN //!< around the image, and outside of the mask
 };
 
-//! State and pixel lie together, so that a visit touches one cache line for each row of three.
+//! What the flood knows of a pixel lies together, so that a visit touches one cache line for each row of three.
 struct FloodPixel
 {
     int state;
-    Pixel value;
+    unsigned distances; //!< 8 bits each, from the lowest on: to left, top, right and bottom
+
+    int distance(int neighbor) const { return int(distances >> 8 * neighbor & 255); }
 };
 
 typedef Padded<FloodPixel> PixelMap;
 
-//! All pixels UNLABELLED. color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-CV_EXPORTS void makePixelMap(const Mat& color, const Mat& depth, PixelMap& pixels);
+//! The distances of all pixels, by equations (1) to (3). color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty;
+//! alpha is in 1/256. Pixels whose gradient is known and not below border_threshold are LINE, unless that is 0, all
+//! others UNLABELLED.
+CV_EXPORTS void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
+                             PixelMap& pixels);
 
 //! Makes the pixels outside of a mask part of the frame.
 void closeOutside(const Mat& mask, PixelMap& pixels);
 
-//! Marker i, a point or the pixels that have the value i, gets the label i + 1.
+//! Marker i, a point or the pixels that have the value i, gets the label i + 1; the UNLABELLED pixels beside it become
+//! IN_QUEUE.
 CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
 void labelMarkers(const Mat& markers, PixelMap& pixels);
 
