@@ -15,6 +15,9 @@ CV_EXPORTS void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
 CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
+//! The labels without their frame.
+void copyLabels(Padded<int>& labels, Mat& to);
+
 //! The pixels inside of the mask that have no label become UNSEEN.
 void openUnlabelled(const Mat& mask, Padded<int>& labels);
 

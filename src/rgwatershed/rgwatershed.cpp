@@ -215,7 +215,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
             sweepAgain(SWEEPS_PER_ITERATION, 0, price, distance, frame, &guard);
         }
     }
-    labels_[0].view(CV_32SC1).copyTo(labels);
+    copyLabels(labels_[0], labels);
     return regions_.size();
 }
 
