@@ -29,9 +29,9 @@ struct FloodPixel
 
 typedef Padded<FloodPixel> PixelMap;
 
-//! The distances of all pixels, by equations (1) to (3). color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty;
-//! alpha is in 1/256. Pixels whose gradient is known and not below border_threshold are LINE, unless that is 0, all
-//! others UNLABELLED.
+//! The distances of all pixels, by equations (1) to (3). color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or
+//! empty; alpha is in 1/256. Pixels whose gradient is known and not below border_threshold are LINE, unless that is 0,
+//! all others UNLABELLED.
 CV_EXPORTS void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
                              PixelMap& pixels);
 
