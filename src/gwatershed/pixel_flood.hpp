@@ -22,7 +22,7 @@ struct PixelFloodBuffers
 
 //! Algorithm 1: floods from the pixels that have a label, and those beside them, which are IN_QUEUE. Leaves LINE and
 //! UNLABELLED pixels.
-CV_EXPORTS void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers);
+void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers);
 
 }}} // namespace
 

@@ -32,7 +32,7 @@ typedef Padded<FloodPixel> PixelMap;
 //! The distances of all pixels, by equations (1) to (3). color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or
 //! empty; alpha is in 1/256. Pixels whose gradient is known and not below border_threshold are LINE, unless that is 0,
 //! all others UNLABELLED.
-CV_EXPORTS void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
+void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
                              PixelMap& pixels);
 
 //! Makes the pixels outside of a mask part of the frame.
@@ -40,11 +40,11 @@ void closeOutside(const Mat& mask, PixelMap& pixels);
 
 //! Marker i, a point or the pixels that have the value i, gets the label i + 1; the UNLABELLED pixels beside it become
 //! IN_QUEUE.
-CV_EXPORTS void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
+void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
 void labelMarkers(const Mat& markers, PixelMap& pixels);
 
 //! CV_32SC1 labels 0..N-1, -1 where a pixel has none.
-CV_EXPORTS void extractLabels(PixelMap& pixels, Mat& labels);
+void extractLabels(PixelMap& pixels, Mat& labels);
 
 }}} // namespace
 

@@ -23,7 +23,7 @@ struct LineBuffers
 };
 
 //! Gives every pixel without a label to a neighbour.
-CV_EXPORTS void absorbLines(PixelMap& map, LineBuffers& buffers);
+void absorbLines(PixelMap& map, LineBuffers& buffers);
 
 }}} // namespace
 

@@ -43,7 +43,8 @@ static void gradientOfRow(const Feature* row, int step, const RegionDistance& di
         to[x] = gradientAt(row + x, step, distance);
 }
 
-void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient)
+void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, const Mat& mask,
+                          Mat& gradient)
 {
     CV_TRACE_FUNCTION();
     const int rows = features.size().height;
@@ -55,6 +56,8 @@ void computeBlockGradient(const Padded<Feature>& features, const RegionDistance&
         for (int y = range.start; y < range.end; y++)
             gradientOfRow(features.row(y), features.step(), distance, gradient.cols, gradient.ptr<ushort>(y));
     });
+    if (!mask.empty())
+        forgetGradients(mask, gradient);
 }
 
 }}} // namespace

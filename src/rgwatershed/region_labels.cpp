@@ -33,17 +33,6 @@ void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
         map.setTo(Scalar(OUTSIDE), mask == 0);
 }
 
-void copyLabels(Padded<int>& labels, Mat& to)
-{
-    const Mat map = labels.view(CV_32SC1);
-    to.create(map.size(), CV_32SC1);
-    parallel_for_(Range(0, to.rows), [&](const Range& range)
-    {
-        for (int y = range.start; y < range.end; y++)
-            std::copy(map.ptr<int>(y), map.ptr<int>(y) + map.cols, to.ptr<int>(y));
-    });
-}
-
 void openUnlabelled(const Mat& mask, Padded<int>& labels)
 {
     for (int y = 0; y < mask.rows; y++)
