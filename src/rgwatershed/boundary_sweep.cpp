@@ -248,7 +248,7 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
 }
 
 //! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
-//! so few of them are looked at in vain.
+//! so few are read for nothing.
 void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
                                     Regions& regions) const
 {

@@ -116,7 +116,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     }
 }
 
-//! To smaller blocks. Where there is a mask, they get the labels of the larger ones, and what of it lies outside of these.
+//! To smaller blocks. Where there is a mask, they get the labels of the larger ones, and so does what of it lies
+//! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
     regions_.divideBlocks();
