@@ -103,7 +103,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     CV_TRACE_FUNCTION();
     for (int level = plan.level; level >= 0; level--)
     {
-        const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
+        const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING
+                             : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweep;
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < plan.level)
