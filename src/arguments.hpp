@@ -11,12 +11,14 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! @file Checks of inputs and outputs. Those of inputs return the header of a matrix that is as it must be, or throw.
 
+const int MAX_CHANNELS = 4; //!< of an image
+
 void checkIterations(int num_iterations);
 void checkSize(int64 width, int64 height);
 
 //! An image that can be segmented.
 Mat checkImage(InputArray input);
-//! The depth of an image of a size.
+//! The depth of an image of a size; may be empty.
 Mat checkDepth(InputArray input, Size size);
 //! An image to measure, of any depth and number of channels; may be empty.
 Mat checkValues(InputArray input, Size size);

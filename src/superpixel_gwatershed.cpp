@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "conversion.hpp"
+#include "depth_scale.hpp"
 #include "gwatershed/gwatershed.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
@@ -151,7 +152,7 @@ public:
     {
         checkSegmented();
         const Mat values = gws::checkValues(image, result_.labels.size());
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
+        const Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(stats, CV_32SC1, false, "stats");
         checkTable(centroids, CV_64FC1, false, "centroids");
         checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
@@ -175,16 +176,16 @@ public:
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
         if (image.empty() && !depth.empty())
             CV_Error(Error::StsBadArg, "depth must be empty where image is");
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
+        const Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(pairs, CV_32SC1, false, "pairs");
         checkTable(lengths, CV_32SC1, true, "lengths");
         checkTable(contrasts, CV_32FC1, true, "contrasts");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
-            const Mat color = values.empty() ? Mat() : gws::convertImage(values(result_.bounds), converted);
             const Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
             const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
+            const Mat color = values.empty() ? Mat() : convert(values(result_.bounds), mask_inside, converted);
             gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
                                scaleInside(depth_inside, mask_inside, scaled), result_.parameters.alphaWeight(),
                                tables[0], tables[1], tables[2]);
@@ -223,6 +224,9 @@ public:
     bool getLabInput() const CV_OVERRIDE { return parameters_.lab_input; }
     void setTemporal(bool temporal) CV_OVERRIDE { parameters_.temporal = temporal; }
     bool getTemporal() const CV_OVERRIDE { return parameters_.temporal; }
+    void setValueRange(float low, float high) CV_OVERRIDE { parameters_.setValueRange(low, high); }
+    float getLowValue() const CV_OVERRIDE { return parameters_.low_value; }
+    float getHighValue() const CV_OVERRIDE { return parameters_.high_value; }
     void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
     float getNearDepth() const CV_OVERRIDE { return parameters_.near_depth; }
     float getFarDepth() const CV_OVERRIDE { return parameters_.far_depth; }
@@ -275,15 +279,22 @@ private:
         table.copyTo(copy);
     }
 
+    //! The image in 8 bits. What is outside of the mask has no influence on the range of values.
+    Mat convert(const Mat& image, const Mat& mask, Mat& buffer) const
+    {
+        const gws::FloatRange range = { result_.parameters.low_value, result_.parameters.high_value };
+        return gws::convertImage(image, mask, range, buffer);
+    }
+
     //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
     Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
     {
-        const float near_depth = result_.parameters.near_depth, far_depth = result_.parameters.far_depth;
+        const gws::FloatRange range = { result_.parameters.near_depth, result_.parameters.far_depth };
         if (depth.empty() || mask.empty())
-            return gws::scaleDepth(depth, near_depth, far_depth, buffer);
+            return gws::scaleDepth(depth, range, buffer);
         Mat inside(depth.size(), depth.type(), Scalar(0));
         depth.copyTo(inside, mask);
-        return gws::scaleDepth(inside, near_depth, far_depth, buffer);
+        return gws::scaleDepth(inside, range, buffer);
     }
 
     void checkMaps(Size size) const
@@ -322,7 +333,7 @@ private:
         frame.num_pixels = mask_.empty() ? bounds.area() : mask_.area;
         if (frame.num_pixels < bounds.area())
             frame.mask = mask_.pixels(bounds);
-        frame.color = gws::convertImage(image, converted_);
+        frame.color = convert(image, frame.mask, converted_);
         frame.depth = scaleInside(depth, frame.mask, scaled_);
         frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
         if (!markers_.empty())
@@ -386,8 +397,8 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
 {
     CV_CheckGE(image_width, 1, "image_width must be 1 or more");
     CV_CheckGE(image_height, 1, "image_height must be 1 or more");
-    CV_Check(image_channels, image_channels == 1 || image_channels == 3 || image_channels == 4,
-             "image_channels must be 1, 3 or 4");
+    CV_Check(image_channels, image_channels >= 1 && image_channels <= gws::MAX_CHANNELS,
+             "image_channels must be 1 to 4");
     gws::checkSize(image_width, image_height);
     gws::Parameters parameters;
     parameters.setDesiredSuperpixels(num_superpixels);

@@ -380,6 +380,24 @@ public:
     /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
 
+    /** @brief Sets the range of values that is brought to the 8 bits in which images are compared.
+
+    One map for all channels, so that distances stay in proportion. 8-bit images are taken as they are.
+
+    @param low_value Value that becomes 0, as all below and NaN do.
+    @param high_value Value that becomes 255, as all above do; larger than low_value. Both 0, the default: the range
+    is 0 to 65535 for CV_16U, -128 to 127 for CV_8S and 0 to 1 for floats, where all but one finite value in
+    1000 lie in it and span a sixteenth of it at least. Else, and for CV_16S and CV_32S, it is the range of the frame:
+    from its lowest to its highest finite value, without one value in 1000 at each end, taken over a sample where the
+    image is large.
+    @note The range of a frame differs from that of the next one. For a video, set it: to 0 and 4095 for 12-bit data.
+    */
+    CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
+    /** @brief The value that becomes 0, or 0 where the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getLowValue() const = 0;
+    /** @brief The value that becomes 255, or 0 where the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getHighValue() const = 0;
+
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
     A range makes the scale the same for every frame. CV_8UC1 depth is taken as it is.

@@ -19,6 +19,8 @@ struct Parameters
     float alpha = 0.5f;
     bool lab_input = false;
     bool temporal = false;
+    float low_value = 0;    //!< both 0: the range of values comes from the image
+    float high_value = 0;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
     float border_threshold = 150; //!< measured, see doc/log.md; 0: none
@@ -28,6 +30,7 @@ struct Parameters
     void setDesiredSuperpixels(int value);
     void setRuler(float value);
     void setAlpha(float value);
+    void setValueRange(float low, float high);
     void setDepthRange(float first, float last);
     void setBorderThreshold(float value);
 
