@@ -29,10 +29,13 @@ public:
         if (values_.empty())
             return FloatRange();
         FloatRange nominal;
-        if (findNominal(nominal) && liesIn(nominal) && spansMuchOf(nominal))
+        const bool lies_in_nominal = findNominal(nominal) && liesIn(nominal);
+        if (lies_in_nominal && spansMuchOf(nominal))
             return nominal;
         const FloatRange range = rangeWithout(values_.size() / OUTLIERS, values_);
-        return range.first < range.last ? range : findExtrema();
+        if (range.first < range.last)
+            return range;
+        return lies_in_nominal ? nominal : findExtrema();
     }
 
 private:

@@ -13,6 +13,7 @@
 #include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "segmentation.hpp"
+#include "shared/in_use.hpp"
 #include "shared/user_markers.hpp"
 
 #include <new>
@@ -37,7 +38,7 @@ template <typename Work> void guardMemory(Work work)
 class SuperpixelGWatershedImpl CV_FINAL : public SuperpixelGWatershed
 {
 public:
-    explicit SuperpixelGWatershedImpl(const gws::Parameters& parameters) : parameters_(parameters) {}
+    explicit SuperpixelGWatershedImpl(const gws::Parameters& wanted) : parameters_(wanted) {}
 
     //! Makes room for images of a size.
     void reserve(Size size)
@@ -56,10 +57,11 @@ public:
         depth.copyTo(depth_);
     }
 
-    int getNumberOfSuperpixels() const CV_OVERRIDE { return result_.number; }
+    int getNumberOfSuperpixels() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.number; }
 
     void iterate(int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         if (image_.empty())
             CV_Error(Error::StsError, "There is no image: call iterate(image), or give one to the factory");
         gws::checkIterations(num_iterations);
@@ -68,6 +70,7 @@ public:
 
     void iterate(InputArray image, int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         const Mat checked = gws::checkImage(image);
         gws::checkIterations(num_iterations);
         segment(checked, Mat(), num_iterations);
@@ -75,6 +78,7 @@ public:
 
     void iterate(InputArray image, InputArray depth, int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         const Mat checked = gws::checkImage(image), checked_depth = gws::checkDepth(depth, checked.size());
         gws::checkIterations(num_iterations);
         segment(checked, checked_depth, num_iterations);
@@ -82,6 +86,7 @@ public:
 
     void getLabels(OutputArray labels_out) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(labels_out, CV_32SC1, result_.isLine(), "labels_out");
         guardMemory([&]() { give(result_.labels, labels_out); });
@@ -89,6 +94,7 @@ public:
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
@@ -100,6 +106,7 @@ public:
 
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
@@ -116,24 +123,28 @@ public:
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         checkSegmented();
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
         if (result_.number == 0)
             return;
-        const int before = result_.number;
-        guardMemory([&]()
-        {
-            const int64 whole = int64(100) * result_.number;
-            const int64 min_area = (int64(countNonZero(result_.labels >= 0)) * min_element_size + whole - 1) / whole;
-            result_.number = gws::mergeSmallRegions(result_.number, int(min_area), result_.labels);
-        });
-        if (result_.number < before)
-            result_.hierarchy = gws::MergeHierarchy();
+        const int64 whole = int64(100) * result_.number;
+        const int64 labelled = countNonZero(result_.labels >= 0);
+        mergeBelow(int((labelled * min_element_size + whole - 1) / whole));
+    }
+
+    void mergeSmall(int min_area) CV_OVERRIDE
+    {
+        const gws::Writing use(in_use_);
+        checkSegmented();
+        CV_CheckGE(min_area, 0, "min_area must be 0 or more");
+        mergeBelow(min_area);
     }
 
     void mergeSimilar(int num_superpixels) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         checkSegmented();
         CV_CheckGE(num_superpixels, 1, "num_superpixels must be 1 or more");
         if (result_.number == 0)
@@ -150,6 +161,7 @@ public:
     void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
                        OutputArray mean_colors, OutputArray mean_depths) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         const Mat values = gws::checkValues(image, result_.labels.size());
         const Mat depths = gws::checkDepth(depth, result_.labels.size());
@@ -172,6 +184,7 @@ public:
     void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
                       OutputArray contrasts) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
         if (image.empty() && !depth.empty())
@@ -197,6 +210,7 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         guardMemory([&]()
         {
             const gws::Mask checked(gws::checkMask(mask));
@@ -207,46 +221,68 @@ public:
     }
     void setMarkers(InputArray markers) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         guardMemory([&]() { markers_ = gws::checkMarkers(markers).clone(); });
     }
 
-    void setAlgorithm(int algorithm) CV_OVERRIDE { parameters_.setAlgorithm(algorithm); }
-    int getAlgorithm() const CV_OVERRIDE { return parameters_.algorithm; }
-    void setRegionSize(int region_size) CV_OVERRIDE { parameters_.setRegionSize(region_size); }
-    int getRegionSize() const CV_OVERRIDE { return parameters_.region_size; }
-    void setDesiredSuperpixels(int number) CV_OVERRIDE { parameters_.setDesiredSuperpixels(number); }
-    int getDesiredSuperpixels() const CV_OVERRIDE { return parameters_.num_superpixels; }
-    void setRuler(float ruler) CV_OVERRIDE { parameters_.setRuler(ruler); }
-    float getRuler() const CV_OVERRIDE { return parameters_.ruler; }
-    void setAlpha(float alpha) CV_OVERRIDE { parameters_.setAlpha(alpha); }
-    float getAlpha() const CV_OVERRIDE { return parameters_.alpha; }
-    void setLabInput(bool uniform) CV_OVERRIDE { parameters_.lab_input = uniform; }
-    bool getLabInput() const CV_OVERRIDE { return parameters_.lab_input; }
-    void setTemporal(bool temporal) CV_OVERRIDE { parameters_.temporal = temporal; }
-    bool getTemporal() const CV_OVERRIDE { return parameters_.temporal; }
-    void setValueRange(float low, float high) CV_OVERRIDE { parameters_.setValueRange(low, high); }
-    float getLowValue() const CV_OVERRIDE { return parameters_.low_value; }
-    float getHighValue() const CV_OVERRIDE { return parameters_.high_value; }
-    void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
-    float getNearDepth() const CV_OVERRIDE { return parameters_.near_depth; }
-    float getFarDepth() const CV_OVERRIDE { return parameters_.far_depth; }
-    void setBorderThreshold(float threshold) CV_OVERRIDE { parameters_.setBorderThreshold(threshold); }
-    float getBorderThreshold() const CV_OVERRIDE { return parameters_.border_threshold; }
+    void setAlgorithm(int algorithm) CV_OVERRIDE { Change(*this)->setAlgorithm(algorithm); }
+    int getAlgorithm() const CV_OVERRIDE { return parameters().algorithm; }
+    void setRegionSize(int region_size) CV_OVERRIDE { Change(*this)->setRegionSize(region_size); }
+    int getRegionSize() const CV_OVERRIDE { return parameters().region_size; }
+    void setDesiredSuperpixels(int number) CV_OVERRIDE { Change(*this)->setDesiredSuperpixels(number); }
+    int getDesiredSuperpixels() const CV_OVERRIDE { return parameters().num_superpixels; }
+    void setRuler(float ruler) CV_OVERRIDE { Change(*this)->setRuler(ruler); }
+    float getRuler() const CV_OVERRIDE { return parameters().ruler; }
+    void setAlpha(float alpha) CV_OVERRIDE { Change(*this)->setAlpha(alpha); }
+    float getAlpha() const CV_OVERRIDE { return parameters().alpha; }
+    void setLabInput(bool uniform) CV_OVERRIDE { Change(*this)->lab_input = uniform; }
+    bool getLabInput() const CV_OVERRIDE { return parameters().lab_input; }
+    void setTemporal(bool temporal) CV_OVERRIDE { Change(*this)->temporal = temporal; }
+    bool getTemporal() const CV_OVERRIDE { return parameters().temporal; }
+    void setValueRange(float low, float high) CV_OVERRIDE { Change(*this)->setValueRange(low, high); }
+    float getLowValue() const CV_OVERRIDE { return parameters().low_value; }
+    float getHighValue() const CV_OVERRIDE { return parameters().high_value; }
+    void setDepthRange(float first, float last) CV_OVERRIDE { Change(*this)->setDepthRange(first, last); }
+    float getNearDepth() const CV_OVERRIDE { return parameters().near_depth; }
+    float getFarDepth() const CV_OVERRIDE { return parameters().far_depth; }
+    void setBorderThreshold(float threshold) CV_OVERRIDE { Change(*this)->setBorderThreshold(threshold); }
+    float getBorderThreshold() const CV_OVERRIDE { return parameters().border_threshold; }
 
     void write(FileStorage& fs) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         writeFormat(fs);
         parameters_.write(fs);
     }
-    void read(const FileNode& fn) CV_OVERRIDE { parameters_ = gws::Parameters::read(fn); }
-    void clear() CV_OVERRIDE { *this = SuperpixelGWatershedImpl(parameters_); }
-    bool empty() const CV_OVERRIDE { return result_.empty(); }
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        const gws::Writing use(in_use_);
+        parameters_ = gws::Parameters::read(fn);
+    }
+    void clear() CV_OVERRIDE { const gws::Writing use(in_use_); *this = SuperpixelGWatershedImpl(parameters_); }
+    bool empty() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.empty(); }
     String getDefaultName() const CV_OVERRIDE { return "SuperpixelGWatershed"; }
 
 private:
+    //! The parameters, to be set while nobody else uses the object.
+    struct Change
+    {
+        explicit Change(SuperpixelGWatershedImpl& object) : use(object.in_use_), parameters(object.parameters_) {}
+        gws::Parameters* operator->() { return &parameters; }
+
+        const gws::Writing use;
+        gws::Parameters& parameters;
+    };
+
+    gws::Parameters parameters() const
+    {
+        const gws::Reading use(in_use_);
+        return parameters_;
+    }
+
     void checkSegmented() const
     {
-        if (empty())
+        if (result_.empty())
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
@@ -300,8 +336,7 @@ private:
     void checkMaps(Size size) const
     {
         if (!mask_.empty())
-            CV_CheckEQ(mask_.pixels.size(), size, "mask must have the size of image; setMask() of an empty one drops"
-                                                  " it");
+            CV_CheckEQ(mask_.pixels.size(), size, "mask must have the size of image; setMask() of an empty one drops it");
         if (!markers_.empty())
             CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones"
                                               " drops them");
@@ -367,6 +402,16 @@ private:
             last_ = now;
     }
 
+    void mergeBelow(int min_area)
+    {
+        if (result_.number == 0)
+            return;
+        const int before = result_.number;
+        guardMemory([&]() { result_.number = gws::mergeSmallRegions(before, min_area, result_.labels); });
+        if (result_.number < before)
+            result_.hierarchy = gws::MergeHierarchy();
+    }
+
     void buildHierarchy(const Mat& labels)
     {
         const gws::Parameters& used = result_.parameters;
@@ -375,6 +420,7 @@ private:
         result_.hierarchy.build(features, gws::floodDistance(used.alpha, true), labels, result_.number);
     }
 
+    gws::InUse in_use_;
     gws::Parameters parameters_;
     Mat image_, depth_; // copies of what the factory was given
     gws::Mask mask_;    // copies of what was set
@@ -432,10 +478,14 @@ static Ptr<SuperpixelGWatershed> createForImage(const Mat& image, const Mat& dep
     return gws;
 }
 
+//! @note In Python, None is the number 0: it stands for no depth here, and the arguments are those after it.
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, int algorithm, int region_size,
                                                      float ruler)
 {
-    return createForImage(gws::checkImage(image), Mat(), algorithm, region_size, ruler, gws::Parameters().alpha);
+    const bool is_shifted = algorithm == 0 && (region_size == GWATERSHED || region_size == RGWATERSHED);
+    if (is_shifted)
+        return createSuperpixelGWatershed(image, noArray(), region_size, saturate_cast<int>(ruler));
+    return createSuperpixelGWatershed(image, noArray(), algorithm ? algorithm : int(RGWATERSHED), region_size, ruler);
 }
 
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, InputArray depth, int algorithm,

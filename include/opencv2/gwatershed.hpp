@@ -7,6 +7,8 @@
 
 #include "opencv2/core.hpp"
 
+#include <algorithm>
+#include <climits>
 #include <type_traits>
 
 /**
@@ -75,24 +77,28 @@ the same for any number of threads, in every run, and for a submatrix and its cl
 setMarkers() and setTemporal() say what else is possible: pixels without a label, which are -1, markers
 of the user, and labels that stay from frame to frame.
 
-**Images.** 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels (the fourth, alpha, is
-ignored), as Mat or UMat. White is 255, 65535 or 1.0, and so is what is larger; NaN is black. The image is
-brought to 8 bits; stretch one that uses a small part of its range beforehand. Three channels are BGR, and
+**Images.** Of any depth from CV_8U to CV_16F, with 1 to 4 channels (the fourth, alpha, is ignored), as Mat or UMat.
+They are brought to 8 bits, see setValueRange(): what uses a small or another part of the range of its type is stretched
+to what the frame holds. Three channels are BGR, and
 RGWATERSHED converts them itself: give it images as imread() or a camera does, or see setLabInput(). GWATERSHED
-compares the channels as they are. The pixels, with a frame of one around the image, must be fewer
+compares the channels as they are. The two of an image with two count alike. Of more channels choose some by
+cv::extractChannel(), or reduce them by cv::PCA. The pixels, with a frame of one around the image, must be fewer
 than 2^31 - 3.
 
-**Depth.** CV_16UC1 (sensor units, usually millimetres; 0 is missing), CV_32FC1 (usually metres;
-NaN, infinity, 0 and below are missing) or CV_8UC1 (already scaled; 0 is missing), of the size of
-the image. Where depth is missing, colour alone counts. Depth that is missing or equal everywhere
+**Depth.** CV_16UC1 (sensor units, usually millimetres; 0 and 65535 are missing), CV_16SC1 (as the disparity of
+cv::StereoSGBM; 0 and below are missing), CV_32FC1 or CV_64FC1 (usually metres; NaN, 0 and below are missing, infinity is
+farther than all else) or CV_8UC1 (already scaled; 0 is missing), of the size of
+the image. Read it by imread() with IMREAD_UNCHANGED, or it becomes 8-bit colour. Inverse depth, where 0 is far, as
+monocular networks give it, wants an offset of 1, or what is farthest is missing. Where depth is missing, colour alone
+counts. Depth that is missing or equal everywhere
 changes nothing. See setDepthRange() and setAlpha(). For depth alone set alpha to 0, or give the
 depth as a gray image.
 
 **Errors.** A wrong argument throws cv::Exception, which names it, before anything is changed, and the object stays
 usable. So it does where memory runs out, which throws cv::Exception with Error::StsNoMem; after that in iterate()
 there is no segmentation, and empty() is true. The images given are never written to. In Python, None for a number
-is its default: check what imread() returned, since `iterate(None)` is `iterate()`, and `iterate(image, None)` is
-`iterate(image)`.
+is its default, and throws where there is none; None for depth is no depth. Check what imread() returned, since
+`iterate(None)` is `iterate()`.
 
 **Outputs** are a Mat or UMat, allocated as needed, whatever they were before, or a Mat_ of the type given; what has one
 row or column may also be a std::vector of that type.
@@ -100,7 +106,8 @@ row or column may also be a std::vector of that type.
 **Threads.** Most loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
 cv::parallel_for_; merging, the flood of GWATERSHED, and that of RGWATERSHED with a mask, markers of the user or for
 the parts of a frame that are new run on the calling thread. Different objects can be
-used in different threads at the same time; one object can not, except for its const methods.
+used in different threads at the same time; one object can not, except for its const methods: the call that comes second
+throws cv::Exception.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws and changes
 nothing if one is missing or out of its range. clear() drops the segmentation, the image of the
@@ -148,7 +155,8 @@ public:
     /** @overload
     @brief Segments another image with its depth.
     @param image Image to segment. It is not kept.
-    @param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image. It is not kept.
+    @param depth Depth map of the size of the image, of a type named above, or empty (noArray(), None in Python), which is
+    as iterate() of the image alone. It is not kept.
     @param num_iterations See above.
     */
     CV_WRAP virtual void iterate(InputArray image, InputArray depth, int num_iterations = 1) = 0;
@@ -200,6 +208,14 @@ public:
     //! @name What comes after the segmentation
     //! @{
 
+    /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
+
+    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void mergeSmall(int min_area) = 0;
+
     /** @brief Merges neighbouring superpixels, the most similar first, until a number is left.
 
     @code{.cpp}
@@ -241,11 +257,12 @@ public:
 
     @param image Image of the size of the label map, of any depth and number of channels: the one that was
     segmented, or another one, as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
-    @param depth CV_8UC1, CV_16UC1 or CV_32FC1 depth map of the same size. Empty: no mean depths.
+    @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
     @param stats N x 5 CV_32SC1, a row for each superpixel, columns as of connectedComponentsWithStats():
     CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA, in pixels.
     @param centroids N x 2 CV_64FC1, x and y.
-    @param mean_colors N x C CV_32FC1, a column for each channel, in the unit of image.
+    @param mean_colors N x C CV_32FC1, a column for each channel, in the unit of image, over the values that are finite.
+    NaN where there is none.
     @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels where it is valid: larger than 0 and
     finite. NaN where there is none.
 
@@ -286,7 +303,8 @@ public:
     number of components. Labels are in the order of the components then, specks last. A mask that is zero
     everywhere gives N = 0.
 
-    @param mask CV_8UC1, non-zero inside (in Python, `inside.astype(np.uint8)` of a boolean array); iterate()
+    @param mask CV_8UC1, or CV_BoolC1 in OpenCV 5, non-zero inside (in Python before that, `inside.view(np.uint8)` of a
+    boolean array); iterate()
     throws if it has not the size of the image. It is copied, and stays until it is replaced, or dropped by an
     empty one or by clear().
     */
@@ -314,14 +332,14 @@ public:
 
     /** @brief Sets the algorithm.
     @param algorithm One of #GWatershedType. */
-    CV_WRAP virtual void setAlgorithm(int algorithm) = 0;
+    CV_WRAP virtual void setAlgorithm(int algorithm = RGWATERSHED) = 0;
     /** @brief The algorithm, one of #GWatershedType. @see setAlgorithm */
     CV_WRAP virtual int getAlgorithm() const = 0;
 
     /** @brief Asks for superpixels of a mean size; replaces what setDesiredSuperpixels() asked for.
     @param region_size Side in pixels of the square that a superpixel fills on the mean, 1 or more:
     N is the integer nearest to W * H / region_size^2, at least 1. */
-    CV_WRAP virtual void setRegionSize(int region_size) = 0;
+    CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
     /** @brief Region size in pixels, or 0 where a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
 
@@ -339,7 +357,7 @@ public:
     or on the size of superpixels. GWATERSHED has no such term: it stores the value and does not use it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
-    CV_WRAP virtual void setRuler(float ruler) = 0;
+    CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
     /** @brief The compactness. @see setRuler */
     CV_WRAP virtual float getRuler() const = 0;
 
@@ -351,7 +369,7 @@ public:
     the two weights, so that pixels with and without depth compare.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
-    CV_WRAP virtual void setAlpha(float alpha) = 0;
+    CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
     /** @brief The weight of colour against depth. @see setAlpha */
     CV_WRAP virtual float getAlpha() const = 0;
 
@@ -400,12 +418,15 @@ public:
 
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
-    A range makes the scale the same for every frame. CV_8UC1 depth is taken as it is.
+    A range makes the scale the same for every frame: for a video, set it. CV_8UC1 depth is taken as it is where the
+    range is automatic.
 
     @param near_depth Depth, in the unit of the depth map, that becomes 1; what is nearer, too.
     @param far_depth Depth that becomes 255; what is farther, too. 0 <= near_depth < far_depth, or
     both 0, the default: the range from the 1st to the 99th percentile of the valid depth of the
-    frame, taken over a regular sample of it, or from its minimum to its maximum if these are equal. */
+    frame, taken over a sample of it where it is large, or from its minimum to its maximum if these are equal. Where
+    that range is a wide gap and little else, because a part of the frame holds a value that stands for none or is far
+    behind all else, the gap gets fewer levels, so that depths on both sides of it are told apart. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 where the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
@@ -420,7 +441,7 @@ public:
     8-bit values, 0..1443, as for the thresholds of cv::Canny with L2gradient; for RGB-D it is
     weighted by alpha as the distance is. 0 means none. Default 150: without borders the flood
     crosses strong edges before it has come back to the low heights, and follows half of them. */
-    CV_WRAP virtual void setBorderThreshold(float border_threshold) = 0;
+    CV_WRAP virtual void setBorderThreshold(float border_threshold = 150.0f) = 0;
     /** @brief The gradient from which a pixel is a border, or 0 for none. @see setBorderThreshold */
     CV_WRAP virtual float getBorderThreshold() const = 0;
 
@@ -432,7 +453,7 @@ public:
 @param image_width Width in pixels of the images to come, 1 or more; buffers are allocated for it.
 Images of another size are taken as well.
 @param image_height Height in pixels, 1 or more.
-@param image_channels 1, 3 or 4; images with another number of these are taken as well.
+@param image_channels 1 to 4; images with another number of these are taken as well.
 @param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setDesiredSuperpixels.
 @param algorithm One of #GWatershedType.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
@@ -441,16 +462,32 @@ CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
         int image_width, int image_height, int image_channels, int num_superpixels,
         int algorithm = RGWATERSHED, float ruler = 10.0f);
 
+//! For numbers of other types, such as size_t: fractions and what is beyond the range of int are cut off.
+template <typename Width, typename Height, typename Channels, typename Number>
+inline typename std::enable_if<std::is_arithmetic<Width>::value && std::is_arithmetic<Height>::value &&
+                               std::is_arithmetic<Channels>::value && std::is_arithmetic<Number>::value,
+                               Ptr<SuperpixelGWatershed> >::type
+createSuperpixelGWatershed(Width image_width, Height image_height, Channels image_channels, Number num_superpixels,
+                           int algorithm = RGWATERSHED, float ruler = 10.0f)
+{
+    const double given[] = { double(image_width), double(image_height), double(image_channels),
+                             double(num_superpixels) };
+    int numbers[4];
+    for (int i = 0; i < 4; i++)
+        numbers[i] = static_cast<int>(std::min(std::max(double(INT_MIN), given[i]), double(INT_MAX)));
+    return createSuperpixelGWatershed(numbers[0], numbers[1], numbers[2], numbers[3], algorithm, ruler);
+}
+
 /** @overload
 @brief Makes an object for an image, as createSuperpixelSLIC() does.
 
 @param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
-@param algorithm One of #GWatershedType.
+@param algorithm One of #GWatershedType, or 0, the default.
 @param region_size Side in pixels of a superpixel. See SuperpixelGWatershed::setRegionSize.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, int algorithm = RGWATERSHED, int region_size = 10, float ruler = 10.0f);
+        InputArray image, int algorithm, int region_size = 10, float ruler = 10.0f);
 
 //! For a ruler of another type, such as 10: it is a float.
 template <typename Ruler>
@@ -464,14 +501,14 @@ createSuperpixelGWatershed(InputArray image, int algorithm, int region_size, Rul
 @brief Makes an object for an image with depth.
 
 @param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
-@param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image; a copy is kept.
+@param depth Depth map of the size of the image, or empty where there is none; a copy is kept.
 @param algorithm One of #GWatershedType.
 @param region_size Side in pixels of a superpixel. See SuperpixelGWatershed::setRegionSize.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 @param alpha Weight of colour against depth. See SuperpixelGWatershed::setAlpha.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, InputArray depth, int algorithm = RGWATERSHED, int region_size = 10,
+        InputArray image, InputArray depth = noArray(), int algorithm = RGWATERSHED, int region_size = 10,
         float ruler = 10.0f, float alpha = 0.5f);
 
 //! @}
