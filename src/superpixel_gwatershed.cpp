@@ -127,10 +127,9 @@ public:
         checkSegmented();
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
-        if (result_.number == 0)
-            return;
-        const int64 whole = int64(100) * result_.number;
-        const int64 labelled = countNonZero(result_.labels >= 0);
+        const int64 whole = int64(100) * std::max(result_.number, 1);
+        int64 labelled = 0;
+        guardMemory([&]() { labelled = countNonZero(result_.labels >= 0); });
         mergeBelow(int((labelled * min_element_size + whole - 1) / whole));
     }
 
@@ -336,7 +335,8 @@ private:
     void checkMaps(Size size) const
     {
         if (!mask_.empty())
-            CV_CheckEQ(mask_.pixels.size(), size, "mask must have the size of image; setMask() of an empty one drops it");
+            CV_CheckEQ(mask_.pixels.size(), size, "mask must have the size of image; setMask() of an empty one drops"
+                                                  " it");
         if (!markers_.empty())
             CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones"
                                               " drops them");

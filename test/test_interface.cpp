@@ -19,7 +19,8 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_images_and_stays_usable)
     const Mat before = labelsOf(gws);
 
     const int cube[] = { 4, 5, 6 };
-    const int wrong_types[] = { CV_8UC2, CV_8UC(5), CV_64FC1, CV_32SC3, CV_8SC1, CV_16SC3 };
+    const int wrong_images[] = { CV_8UC(5), CV_32FC(6) };
+    const int wrong_depths[] = { CV_8UC2, CV_8UC(5), CV_64FC2, CV_32SC1, CV_8SC1, CV_16SC3 };
     EXPECT_REFUSED(gws->iterate(Mat()), "image must not be empty");
     EXPECT_REFUSED(gws->iterate(noArray()), "image must not be empty");
     EXPECT_REFUSED(gws->iterate(Mat(3, cube, CV_8UC1, Scalar(0))), "image must have two dimensions");
@@ -27,12 +28,10 @@ TEST_P(ximgproc_GWatershed_interface, refuses_wrong_images_and_stays_usable)
     EXPECT_REFUSED(gws->iterate(std::array<Mat, 1>()), "image must be one Mat");
     EXPECT_REFUSED(gws->iterate(std::vector<std::vector<uchar> >(40, std::vector<uchar>(60))), "image must be one Mat");
     EXPECT_REFUSED(gws->setMask(std::vector<std::vector<uchar> >(3, std::vector<uchar>(4))), "mask must be one Mat");
-    for (int i = 0; i < 6; i++)
-    {
-        EXPECT_REFUSED(gws->iterate(Mat(40, 60, wrong_types[i])), "image must");
-        EXPECT_REFUSED(gws->iterate(image, Mat(40, 60, wrong_types[i])), "depth must be");
-    }
-    EXPECT_REFUSED(gws->iterate(image, Mat()), "depth must not be empty");
+    for (int type : wrong_images)
+        EXPECT_REFUSED(gws->iterate(Mat(40, 60, type)), "image must");
+    for (int type : wrong_depths)
+        EXPECT_REFUSED(gws->iterate(image, Mat(40, 60, type)), "depth must be");
     EXPECT_REFUSED(gws->iterate(image, image), "depth must be");
     EXPECT_REFUSED(gws->iterate(image, depth.rowRange(1, 40)), "depth must have the size of image");
     EXPECT_REFUSED(gws->iterate(image, Mat(3, cube, CV_16UC1, Scalar(0))), "depth must have two dimensions");
@@ -87,7 +86,8 @@ TEST_P(ximgproc_GWatershed_interface, factories_refuse_wrong_arguments)
     const int a = GetParam();
     EXPECT_REFUSED(createSuperpixelGWatershed(0, 10, 3, 5, a), "image_width");
     EXPECT_REFUSED(createSuperpixelGWatershed(10, -1, 3, 5, a), "image_height");
-    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 2, 5, a), "image_channels");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 5, 5, a), "image_channels");
+    EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 0, 5, a), "image_channels");
     EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 3, 0, a), "num_superpixels");
     EXPECT_REFUSED(createSuperpixelGWatershed(65536, 65536, 3, 5, a), "pixels");
     EXPECT_REFUSED(createSuperpixelGWatershed(10, 10, 3, 5, 7), "algorithm");

@@ -256,7 +256,7 @@ TEST_P(ximgproc_GWatershed_pipeline, tables_are_refused_for_images_of_another_si
     EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1]), "depth must have the size");
     EXPECT_REFUSED(gws->getStatistics(image, image, tables[0], tables[1]), "depth must be");
     EXPECT_REFUSED(gws->getAdjacency(wrong, noArray(), tables[0], tables[1]), "image must have the size");
-    EXPECT_REFUSED(gws->getAdjacency(Mat(image.size(), CV_64FC3), noArray(), tables[0], tables[1]), "image must be");
+    EXPECT_REFUSED(gws->getAdjacency(Mat(image.size(), CV_64FC(5)), noArray(), tables[0], tables[1]), "image must be");
     EXPECT_REFUSED(gws->getAdjacency(noArray(), Mat(image.size(), CV_16UC1), tables[0], tables[1], tables[2]), "depth");
     EXPECT_REFUSED(gws->mergeSimilar(0), "num_superpixels");
     gws->getStatistics(image, noArray(), tables[0], noArray(), tables[2], noArray());

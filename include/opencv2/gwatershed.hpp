@@ -86,8 +86,8 @@ cv::extractChannel(), or reduce them by cv::PCA. The pixels, with a frame of one
 than 2^31 - 3.
 
 **Depth.** CV_16UC1 (sensor units, usually millimetres; 0 and 65535 are missing), CV_16SC1 (as the disparity of
-cv::StereoSGBM; 0 and below are missing), CV_32FC1 or CV_64FC1 (usually metres; NaN, 0 and below are missing, infinity is
-farther than all else) or CV_8UC1 (already scaled; 0 is missing), of the size of
+cv::StereoSGBM; 0 and below are missing), CV_32FC1 or CV_64FC1 (usually metres; NaN, 0 and below are missing, infinity
+is farther than all else) or CV_8UC1 (already scaled; 0 is missing), of the size of
 the image. Read it by imread() with IMREAD_UNCHANGED, or it becomes 8-bit colour. Inverse depth, where 0 is far, as
 monocular networks give it, wants an offset of 1, or what is farthest is missing. Where depth is missing, colour alone
 counts. Depth that is missing or equal everywhere
@@ -155,8 +155,8 @@ public:
     /** @overload
     @brief Segments another image with its depth.
     @param image Image to segment. It is not kept.
-    @param depth Depth map of the size of the image, of a type named above, or empty (noArray(), None in Python), which is
-    as iterate() of the image alone. It is not kept.
+    @param depth Depth map of the size of the image, of a type named above, or empty (noArray(), None in Python), which
+    is as iterate() of the image alone. It is not kept.
     @param num_iterations See above.
     */
     CV_WRAP virtual void iterate(InputArray image, InputArray depth, int num_iterations = 1) = 0;
