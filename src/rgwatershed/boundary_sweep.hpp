@@ -26,7 +26,7 @@ struct BoundaryEnergy
 
 //! Sweeps over the boundaries of regions: pixels go to the neighbouring region of the lowest energy, while each region
 //! stays one piece. Means are those of the beginning of a sweep.
-class CV_EXPORTS BoundarySweeper
+class BoundarySweeper
 {
 public:
     //! Sets what the sweeps to come work on. Pixels of markers, CV_32SC1 or empty, that
