@@ -109,18 +109,18 @@ void Session::create()
 {
     scene_ = makeScene(takeSize(max_pixels_, bytes_), bytes_);
     const int algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), int(RGWATERSHED),
-                                                    oneIn(32, bytes_) ? 0 : int(RGWATERSHED) });
+                                                    oneIn(32, bytes_) ? 199 : int(RGWATERSHED) });
     const bool is_algorithm = algorithm == GWATERSHED || algorithm == RGWATERSHED;
     const float ruler = takeFloat(40, bytes_);
     const bool is_ruler = ruler >= 0 && ruler <= FLT_MAX;
     const int number = takeInt(200, bytes_);
     if (oneIn(3, bytes_))
     {
-        const int channels = bytes_.PickValueInArray({ 1, 3, 3, 3, 4, 2, 0, -1 });
+        const int channels = bytes_.PickValueInArray({ 1, 3, 3, 3, 4, 2, 0, 5 });
         const int edges[] = { 0, -1, INT_MIN, INT_MAX };
         const int width = oneIn(16, bytes_) ? bytes_.PickValueInArray(edges) : scene_.cols;
         const bool is_valid = is_algorithm && is_ruler && number >= 1 && width >= 1 && width < INT_MAX &&
-                              (channels == 1 || channels == 3 || channels == 4);
+                              channels >= 1 && channels <= 4;
         require(succeeds([&]()
         {
             gws_ = createSuperpixelGWatershed(width, scene_.rows, channels, number, algorithm, ruler);
@@ -313,7 +313,7 @@ void Session::setParameter()
 {
     Settings s = settingsOf(*gws_);
     const char* const name = "setters take what is in range";
-    switch (bytes_.ConsumeIntegralInRange(0, 8))
+    switch (bytes_.ConsumeIntegralInRange(0, 9))
     {
     case 0:
         s.algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), 199, 202, 0, INT_MIN });
@@ -346,6 +346,11 @@ void Session::setParameter()
         gws_->setTemporal(s.temporal);
         break;
     case 7:
+        s.low_value = takeFloat(300, bytes_);
+        s.high_value = oneIn(2, bytes_) ? s.low_value + takeFloat(4000, bytes_) : takeFloat(70000, bytes_);
+        attempt(inRange(s), name, [&]() { gws_->setValueRange(s.low_value, s.high_value); });
+        break;
+    case 8:
         s.near_depth = takeFloat(3000, bytes_);
         s.far_depth = oneIn(2, bytes_) ? s.near_depth + takeFloat(4000, bytes_) : takeFloat(7000, bytes_);
         attempt(inRange(s), name, [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); });
@@ -379,13 +384,14 @@ void Session::mergeSmall()
     if (!isSegmented())
         return queryUnsegmented();
     const Partition before = partitionOf(*gws_);
-    if (!attempt(percent >= 0 && percent <= 100, "enforceLabelConnectivity()",
-                 [&]() { gws_->enforceLabelConnectivity(percent); }))
+    const bool in_pixels = oneIn(3, bytes_);
+    if (!attempt(percent >= 0 && (in_pixels || percent <= 100), "merging of small superpixels",
+                 [&]() { in_pixels ? gws_->mergeSmall(percent) : gws_->enforceLabelConnectivity(percent); }))
         return;
     const Partition now = partitionOf(*gws_);
     digest(now.labels);
     checkMerged(before, now);
-    checkSmallMerged(before, percent, now);
+    (in_pixels ? checkAreaMerged : checkSmallMerged)(before, percent, now);
     if (now.num_labels == before.num_labels)
         return;
     unmerged_ = now;
@@ -461,7 +467,8 @@ void Session::writeAndRead()
 void Session::readNumbers()
 {
     const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input",
-                                  "temporal", "near_depth", "far_depth", "border_threshold" };
+                                  "temporal", "low_value", "high_value", "near_depth", "far_depth",
+                                  "border_threshold" };
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     FileStorage own(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     gws_->write(own);
