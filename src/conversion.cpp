@@ -173,11 +173,19 @@ template <typename T> void scaleRow(const Mat& row, FloatRange range, Mat& value
     values.convertTo(scaled, CV_8U, 255 / (double(high) - low));
 }
 
+//! The same for integers of up to 16 bits, which need no care.
+void scaleRow(const Mat& row, FloatRange range, Mat& scaled)
+{
+    const double scale = 255 / (double(range.last) - range.first);
+    row.convertTo(scaled, CV_8U, scale, -scale * range.first);
+}
+
 //! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them.
 void scaleImage(const Mat& image, FloatRange range, Mat& scaled)
 {
     const double span = double(range.last) - range.first;
-    const bool as_floats = image.depth() != CV_32S && image.depth() != CV_64F && span > 1e-30 && span < 1e30;
+    const bool is_moderate = span > 1e-30 && span < 1e30;
+    const int depth = image.depth();
     scaled.create(image.size(), CV_8UC(image.channels()));
     if (span <= 0)
     {
@@ -190,7 +198,9 @@ void scaleImage(const Mat& image, FloatRange range, Mat& scaled)
         for (int y = rows.start; y < rows.end; y++)
         {
             Mat to = scaled.row(y);
-            if (as_floats)
+            if (is_moderate && depth <= CV_16S)
+                scaleRow(image.row(y), range, to);
+            else if (is_moderate && (depth == CV_32F || depth == CV_16F))
                 scaleRow<float>(image.row(y), range, values, to);
             else
                 scaleRow<double>(image.row(y), range, values, to);
