@@ -80,15 +80,11 @@ converts them itself, so give it images as imread() returns them, or see setLabI
 channels as they are. Two channels count alike. If there are more, choose some by cv::extractChannel(), or reduce
 them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
 
-**Depth** has the size of the image. It is missing, and colour alone counts, where it is 0, negative or NaN.
-- CV_16UC1: usually in millimetres. 65535 is missing, too.
-- CV_32FC1 and CV_64FC1: usually in metres. Infinity is farther than all else.
-- CV_16SC1: as the disparity of cv::StereoSGBM.
-- CV_8UC1: already scaled, unless a range is set.
-
-Read depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give it, is 0 where it is farthest: add 1, or
-the farthest is missing. Depth that is missing everywhere, or the same everywhere, changes nothing. See
-setDepthRange() and setAlpha().
+**Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
+CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
+negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else. Read
+depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give it, is 0 where it is farthest, so add 1 to it.
+Depth that is missing everywhere, or the same everywhere, changes nothing. See setDepthRange() and setAlpha().
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
@@ -197,10 +193,7 @@ public:
 
     /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
 
-    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is.
-
-    Throws cv::Exception before the first iterate().
-    */
+    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is. */
     CV_WRAP virtual void mergeSmall(int min_area) = 0;
 
     //! @name After the segmentation
@@ -461,12 +454,9 @@ inline typename std::enable_if<std::is_arithmetic<Width>::value && std::is_arith
 createSuperpixelGWatershed(Width image_width, Height image_height, Channels image_channels, Number num_superpixels,
                            int algorithm = RGWATERSHED, float ruler = 10.0f)
 {
-    const double given[] = { double(image_width), double(image_height), double(image_channels),
-                             double(num_superpixels) };
-    int numbers[4];
-    for (int i = 0; i < 4; i++)
-        numbers[i] = static_cast<int>(std::min(std::max(double(INT_MIN), given[i]), double(INT_MAX)));
-    return createSuperpixelGWatershed(numbers[0], numbers[1], numbers[2], numbers[3], algorithm, ruler);
+    const auto cut = [](double value) { return int(std::min(std::max(double(INT_MIN), value), double(INT_MAX))); };
+    return createSuperpixelGWatershed(cut(double(image_width)), cut(double(image_height)),
+                                      cut(double(image_channels)), cut(double(num_superpixels)), algorithm, ruler);
 }
 
 /** @overload
