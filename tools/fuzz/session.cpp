@@ -378,9 +378,8 @@ void Session::mergeSmall()
 {
     if (!isSegmented())
         return queryUnsegmented();
-    const int percent = oneIn(4, bytes_) ? takeInt(100, bytes_) : 25;
     const Partition before = partitionOf(*gws_);
-    const bool in_pixels = oneIn(3, bytes_);
+    const int percent = oneIn(4, bytes_) ? takeInt(100, bytes_) : 25, in_pixels = oneIn(3, bytes_);
     if (!attempt(percent >= 0 && (in_pixels || percent <= 100), "merging of small superpixels",
                  [&]() { in_pixels ? gws_->mergeSmall(percent) : gws_->enforceLabelConnectivity(percent); }))
         return;
@@ -462,8 +461,9 @@ void Session::writeAndRead()
 //! Parameters from a file that somebody else has written.
 void Session::readNumbers()
 {
-    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input", "temporal",
-                                  "low_value", "high_value", "near_depth", "far_depth", "border_threshold" };
+    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input",
+                                  "temporal", "low_value", "high_value", "near_depth", "far_depth",
+                                  "border_threshold" };
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     FileStorage own(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     gws_->write(own);
