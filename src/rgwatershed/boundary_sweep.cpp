@@ -11,10 +11,13 @@ namespace cv { namespace ximgproc { namespace gws {
 // Bands of rows of quads go through all four classes while they are in the cache. What a pixel may see are the classes
 // before its own, moved, and those after it, not yet. So a row of a class comes when the rows above and below it have
 // had the classes before; and near to another band the rows are left out whose neighbours may lie there. They come when
-// all bands are done. So the result is that of one class after another.
+// both bands are done. So the result is that of one class after another.
 // The same holds for what a move writes: the masks of its neighbours and the marks of their quads.
 
 enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
+
+// Bands of a group are swept by one thread: as many groups as threads may need, as few lists as that allows.
+enum { FEWEST_BANDS = 2, MOST_GROUPS = 16 };
 
 //! Rows of quads that a class is looked at in.
 struct ClassRows
@@ -75,7 +78,7 @@ private:
     //! The pixels of a class in a row of quads.
     void sweepRow(int c, int row)
     {
-        const BoundaryList::Part part = sweeper_.lists_[row / BAND_HEIGHT].part(c, row);
+        const BoundaryList::Part part = sweeper_.listOf(row / BAND_HEIGHT).part(c, row);
         const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
@@ -161,6 +164,12 @@ void BoundarySweeper::Moves::add(const Move& move)
     highest_region = std::max(highest_region, std::max(move.from, move.to));
 }
 
+BoundaryList& BoundarySweeper::listOf(int band)
+{
+    Lists& lists = lists_[band / bands_in_group_];
+    return band % bands_in_group_ == 0 ? lists.first : band % 2 == 0 ? lists.even : lists.odd;
+}
+
 void BoundarySweeper::begin(Size size)
 {
     masks_.create(size, uchar(INTERIOR));
@@ -213,27 +222,37 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     CV_TRACE_FUNCTION();
     const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
     const RegionChoice choice(features, labels, masks_, regions.means, rules.distance, rules.length_price);
-    lists_.resize(num_bands);
+    bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + MOST_GROUPS - 1) / MOST_GROUPS);
+    lists_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
     moves_.resize(2 * num_bands - 1);
     for (size_t i = 0; i < moves_.size(); i++)
         moves_[i].clear();
-    parallel_for_(Range(0, num_bands), [&](const Range& range)
+    const auto sweepWithin = [&](int band)
     {
-        for (int i = range.start; i < range.end; i++)
+        const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
+        listOf(band).begin(rows.start);
+        list(rows, listOf(band));
+        Wave(choice, rules, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
+    };
+    const auto sweepAbove = [&](int band)
+    {
+        const ClassRows rows = ClassRows::between(band * BAND_HEIGHT, height);
+        Wave(choice, rules, labels, *this, moves_[num_bands + band - 1]).run(rows);
+    };
+    parallel_for_(Range(0, int(lists_.size())), [&](const Range& groups)
+    {
+        const int end = std::min(groups.end * bands_in_group_, num_bands);
+        for (int band = groups.start * bands_in_group_; band < end; band++)
         {
-            const Range rows(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height));
-            lists_[i].begin(rows.start);
-            list(rows, lists_[i]);
-            Wave(choice, rules, labels, *this, moves_[i]).run(ClassRows::within(rows, height));
+            sweepWithin(band);
+            if (band % bands_in_group_ != 0)
+                sweepAbove(band);
         }
     });
-    parallel_for_(Range(1, num_bands), [&](const Range& range)
+    parallel_for_(Range(1, int(lists_.size())), [&](const Range& groups)
     {
-        for (int i = range.start; i < range.end; i++)
-        {
-            const ClassRows rows = ClassRows::between(i * BAND_HEIGHT, height);
-            Wave(choice, rules, labels, *this, moves_[num_bands + i - 1]).run(rows);
-        }
+        for (int group = groups.start; group < groups.end; group++)
+            sweepAbove(group * bands_in_group_);
     });
     moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
     if (rules.last)

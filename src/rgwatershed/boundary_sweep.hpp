@@ -71,6 +71,7 @@ private:
 
     typedef std::function<void(const Range& rows, BoundaryList& list)> List;
 
+
     void begin(Size size);
     void clearMarks(const Range& rows);
     void sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
@@ -80,7 +81,16 @@ private:
 
     Padded<uchar> masks_;             // of the neighbours with the same label, by pixel
     Padded<uchar> marks_;             // of the classes that touch a move, by quad
-    std::vector<BoundaryList> lists_; // by band
+    //! The lists of a group of bands, which one thread sweeps from top to bottom. Those that are still needed are that
+    //! of the first band, where the group above ends, and those of the last two.
+    struct Lists
+    {
+        BoundaryList first, even, odd;
+    };
+    BoundaryList& listOf(int band);
+
+    std::vector<Lists> lists_;
+    int bands_in_group_ = 0;
     std::vector<Moves> moves_;        // within bands, then between them
     bool moved_ = false;
 };
