@@ -3,23 +3,21 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/block_gradient.hpp"
+#include "rgwatershed/tuning.hpp"
 #include "shared/mask_pyramid.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Steps so large that markers leave the centres of their cells for real edges only.
-enum { STEP = 32 };
-
-//! Sum of the absolute differences of the neighbours to both sides.
+//! Sum of the absolute differences of the neighbours to both sides, in coarse steps.
 static ushort gradientAt(const Feature* f, int step, const RegionDistance& distance)
 {
     int color = 0;
     for (int k = 0; k < 3; k++)
         color += std::abs(f[1].color[k] - f[-1].color[k]) + std::abs(f[step].color[k] - f[-step].color[k]);
     if (!f[1].depth || !f[-1].depth || !f[step].depth || !f[-step].depth)
-        return ushort(color / STEP);
+        return ushort(color >> GRADIENT_SHIFT);
     const int depth = std::abs(f[1].depth - f[-1].depth) + std::abs(f[step].depth - f[-step].depth);
-    return ushort((distance.color_share * color + distance.depth_share * depth) / (256 * STEP));
+    return ushort((distance.color_share * color + distance.depth_share * depth) / (FULL_WEIGHT << GRADIENT_SHIFT));
 }
 
 //! The same of 4 blocks without depth.
@@ -28,7 +26,7 @@ static inline v_uint32x4 gradientOfColors(const Feature* f, int step)
     const v_uint8x16 ones = v_setall_u8(1);
     const v_uint8x16 beside = v_absdiff(v_load(f[1].color), v_load(f[-1].color));
     const v_uint8x16 upright = v_absdiff(v_load(f[step].color), v_load(f[-step].color));
-    return v_shr<5>(v_dotprod_expand(beside, ones, v_dotprod_expand(upright, ones)));
+    return v_shr<GRADIENT_SHIFT>(v_dotprod_expand(beside, ones, v_dotprod_expand(upright, ones)));
 }
 
 //! The pixels at the border of the image have no neighbours to both sides: they count as edges.

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/region_flood.hpp"
+#include "rgwatershed/tuning.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -11,7 +12,7 @@ void FloodRegion::update()
     const RegionMean mean = sum.mean();
     const short values[4] = { mean.color[0], mean.color[2], mean.color[1], mean.depth };
     std::copy(values, values + 4, means);
-    next_update = sum.area + sum.area / 4 + 1; // the mean of many hardly moves
+    next_update = sum.area + sum.area / MEAN_GROWTH + 1;
 }
 
 //! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is

@@ -16,6 +16,9 @@ enum { MAX_LEVEL = 2 };                        // of the pyramid: blocks of 2^le
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
 static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
 static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
+enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
+                                               // markers leave the centres of their cells for real edges only
+enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int SWEEPS_BEFORE_MERGING = 2;    // of the blocks that were flooded
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge

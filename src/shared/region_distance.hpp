@@ -11,7 +11,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
-//! of depth. Weights are in 1/256, the distance in 1/16 of a level.
+//! of depth.
 //! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
 //! or the same everywhere, leaves colour as it is beside the other terms of a height.
 class RegionDistance
@@ -21,13 +21,13 @@ public:
     RegionDistance(int lightness, int chroma, float alpha, bool with_depth_) : with_depth(with_depth_)
     {
         const float larger = std::max(alpha, 1 - alpha);
-        color_share = cvRound(256 * alpha / larger);
-        depth_share = cvRound(256 * (1 - alpha) / larger);
+        color_share = cvRound(FULL_WEIGHT * alpha / larger);
+        depth_share = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
         const short color[4] = { short(lightness), short(chroma), short(chroma), 0 };
         for (int k = 0; k < 3; k++)
         {
             weights[0][k] = color[k];
-            weights[1][k] = short((color_share * color[k] + 128) >> 8);
+            weights[1][k] = short((color_share * color[k] + FULL_WEIGHT / 2) / FULL_WEIGHT);
         }
         weights[0][3] = 0;
         weights[1][3] = short(depth_share);
@@ -36,16 +36,17 @@ public:
     int operator()(const Feature& f, const RegionMean& r) const
     {
         const short* w = weightsOf(f, r);
-        const int d0 = std::abs(16 * f.color[0] - r.color[0]), d1 = std::abs(16 * f.color[1] - r.color[1]);
-        const int d2 = std::abs(16 * f.color[2] - r.color[2]), d3 = std::abs(16 * f.depth - r.depth);
-        return (w[0] * d0 + w[1] * d1 + w[2] * d2 + w[3] * d3) >> 8;
+        int sum = w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
+        for (int k = 0; k < 3; k++)
+            sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
+        return sum / FULL_WEIGHT;
     }
 
     //! The square of it, in squared levels.
     int squared(const Feature& f, const RegionMean& r) const
     {
         const int d = (*this)(f, r);
-        return (d * d) >> 8;
+        return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
     //! The squares of many pairs. Arrays have room for a multiple of 4, so that no pair is treated in another way.

@@ -16,7 +16,14 @@ enum RegionLabel
     OUTSIDE = INT_MIN  //!< around the image, outside of the mask, or not reached by any marker
 };
 
-//! Means over the pixels of a region, in 1/16 of a level.
+//! Fixed-point units of means, distances and weights.
+enum
+{
+    STEPS_PER_LEVEL = 16, //!< of the 8-bit grey levels of a feature; means and distances are in these steps
+    FULL_WEIGHT = 256     //!< a weight of 1
+};
+
+//! Means over the pixels of a region, in steps.
 struct RegionMean
 {
     short color[3];
@@ -28,8 +35,10 @@ struct RegionMean
 //! The mean of one pixel.
 inline RegionMean meanOf(const Feature& f)
 {
-    const RegionMean mean = { { short(16 * f.color[0]), short(16 * f.color[1]), short(16 * f.color[2]) },
-                              short(f.depth ? 16 * f.depth : int(RegionMean::NO_DEPTH)) };
+    RegionMean mean;
+    for (int k = 0; k < 3; k++)
+        mean.color[k] = short(STEPS_PER_LEVEL * f.color[k]);
+    mean.depth = short(f.depth ? STEPS_PER_LEVEL * f.depth : int(RegionMean::NO_DEPTH));
     return mean;
 }
 
@@ -69,11 +78,11 @@ struct RegionSum
     }
 
 private:
-    static const int64 FIXED_ONE = int64(1) << 48; // 16 * sum / area * FIXED_ONE fits into 64 bits
+    static const int64 FIXED_ONE = int64(1) << 48; // STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits
 
     static short divide(int64 sum, int64 reciprocal)
     {
-        return short((16 * sum * reciprocal + FIXED_ONE / 2) >> 48);
+        return short((STEPS_PER_LEVEL * sum * reciprocal + FIXED_ONE / 2) >> 48);
     }
 };
 
