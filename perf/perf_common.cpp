@@ -16,7 +16,7 @@ static Mat findPicture(const String& name, int flags)
 static Mat generateScene(RNG& rng)
 {
     Mat scene(1110, 1282, CV_8UC3);
-    rng.fill(scene, RNG::UNIFORM, 0, 256);
+    rng.fill(scene, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
     GaussianBlur(scene, scene, Size(), 2);
     for (int i = 0; i < 600; i++)
         circle(scene, Point(rng.uniform(0, scene.cols), rng.uniform(0, scene.rows)), rng.uniform(3, 60),

@@ -31,6 +31,13 @@ void operator delete(void* memory) noexcept
     std::free(memory);
 }
 
+#ifdef __cpp_sized_deallocation
+void operator delete(void* memory, size_t) noexcept
+{
+    std::free(memory);
+}
+#endif
+
 namespace opencv_test
 {
 

@@ -1,5 +1,4 @@
 # Installs the library, and what CMake and pkg-config find it by. The components are those of the packages.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)

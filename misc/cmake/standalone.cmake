@@ -1,4 +1,6 @@
 # Builds the library opencv_gwatershed, the samples, the tests and the Python package beside an installed OpenCV.
+include(GNUInstallDirs)
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Type of the build" FORCE)
 endif()
