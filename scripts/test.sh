@@ -86,6 +86,10 @@ run_python_test() {
     count $((tests - failures)) "$failures"
 }
 
+prints() { # WORDS COMMAND...
+    "${@:2}" | grep "$1"
+}
+
 # The pictures that a sample wrote exist and load; the labels are 0..N-1 for the N that it printed.
 pictures_load() { # PREFIX
     PYTHONPATH=$build/lib/python3 /usr/bin/python3 - "$1" "$results/sample.log" <<'PYTHON'
@@ -125,6 +129,8 @@ run_samples() {
         "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
     check "saliency_filters" finds_saliency "$data"
     check "gwatershed_polygons" finds_polygons "$data/fruits.jpg"
+    check "gwatershed_steps" sh -c '"$1" -i="$2" -o="$3" | grep -q "^300 superpixels" && [ -s "$3" ]' \
+        sh "$build/bin/example_gwatershed_gwatershed_steps" "$data/fruits.jpg" "$results/steps.png"
     # Labels of the demo serve as a ground truth.
     mkdir -p "$results/truth"
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
@@ -250,7 +256,9 @@ check "no warning from our files" sh -c '! grep -E "^$1/.*warning:" "$2"' sh "$r
 export OPENCV_SAMPLES_DATA_PATH=$source_dir/samples/data
 run_gtest accuracy "$build/bin/opencv_test_gwatershed"
 run_gtest performance "$build/bin/opencv_perf_gwatershed" --perf_min_samples=1 --perf_force_samples=1 \
-    '--gtest_filter=*/0:*region_step*'
+    '--gtest_filter=*/0'
+check "perf.sh" prints "RGWATERSHED, ms" "$root/scripts/perf.sh" "$results"/performance.xml{,}
+check "profile.sh" prints "The steps" "$root/scripts/profile.sh"
 run_python_test
 run_samples
 run_installed

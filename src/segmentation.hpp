@@ -29,7 +29,7 @@ struct Mask
 //! What iterate() gives, and what it was made with.
 struct Segmentation
 {
-    //! Nothing is known yet but what it is made with. labels become -1 outside of the bounds.
+    //! Keeps what it will be made with; it is not complete yet. labels become -1 outside of the bounds.
     void start(Size size, const Parameters& parameters, const Mask& mask);
 
     bool empty() const { return !complete; }

@@ -300,6 +300,7 @@ private:
     //! the way, there is no segmentation, and the next call goes on from nothing.
     void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
+        CV_TRACE_FUNCTION();
         checkMaps(image.size());
         result_.complete = false;
         const Last last = last_;

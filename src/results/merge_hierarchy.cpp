@@ -8,7 +8,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// Found as those of RGWATERSHED; doc/log.md has the figures.
+// Found by measurement, see doc/log.md.
 static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
 
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
@@ -23,8 +23,8 @@ struct FeatureContrast
     const RegionDistance& distance;
 };
 
-//! @note Not in the paper. Greedy merging of the region adjacency graph by Ward's criterion, as in
-//! S. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
+//! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
+//! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
 void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels)
 {

@@ -36,7 +36,7 @@ struct BoundaryList
 enum { SWEEP_BAND_HEIGHT = 16 };
 
 //! Adds the pixels of some rows that may leave their regions, in raster order, to a list.
-CV_EXPORTS void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
+void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
 //! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
 void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);

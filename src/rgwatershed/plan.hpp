@@ -13,7 +13,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! All that a call decides before it looks at a pixel.
-struct Plan
+struct CV_EXPORTS Plan
 {
     //! masks are those of the frame, built up to MAX_LEVEL, or not used if the frame has no mask.
     Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks);

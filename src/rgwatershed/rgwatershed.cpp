@@ -52,6 +52,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 //! Steps 2 and 3: more regions than asked for.
 void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
+    CV_TRACE_FUNCTION();
     const Padded<Feature>& features = features_[plan.level];
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     if (mask.empty())
@@ -74,6 +75,7 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 //! does not.
 void RGWatershed::sweepAndMerge(const Plan& plan)
 {
+    CV_TRACE_FUNCTION();
     sweeper_.start(features_[plan.level], plan.energy_before_merging, Mat(), labels_[plan.level], regions_);
     sweeper_.sweepAll();
     sweeper_.sweepAgain(SWEEPS_BEFORE_MERGING - 1);
@@ -84,6 +86,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan)
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.
 void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 {
+    CV_TRACE_FUNCTION();
     clearLabels(frame.color.size(), frame.mask, labels_[0]);
     frame.markers.copyTo(labels_[0].view(CV_32SC1), frame.markers >= 0);
     regions_.resize(frame.num_superpixels);
@@ -96,6 +99,7 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 //! Step 5: level by level down to the pixels.
 void RGWatershed::settle(const Frame& frame, const Plan& plan)
 {
+    CV_TRACE_FUNCTION();
     for (int level = std::max(plan.level - 1, 0); level >= 0; level--)
     {
         if (level < plan.level)
@@ -134,6 +138,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 //! Each iteration after the first moves pixels where that explains the colours better.
 void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iterations)
 {
+    CV_TRACE_FUNCTION();
     if (num_iterations == 1)
         return;
     sweeper_.start(features_[0], plan.energy, frame.markers, labels_[0], regions_);

@@ -9,19 +9,19 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Reads a value that will be needed soon, so that it is fetched while something else is worked on.
+//! Reads a value that will be needed soon, so that it is in the cache by then.
 template <typename T> inline void touch(const T& value)
 {
     const T read = *static_cast<const volatile T*>(&value);
     static_cast<void>(read);
 }
 
-//! An image with a frame of one element around it, so that neighbours need no test of bounds.
-//! Elements are named by one index; a neighbour is a fixed offset away.
+//! An image with a frame of one element around it, so that neighbours need no bounds test.
+//! One index names an element, and each neighbour has a fixed offset to it.
 template <typename T> class Padded
 {
 public:
-    //! Allocates for images of a size. Elements and frame are not set.
+    //! Allocates for images of a size. Does not set the elements and the frame.
     void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, CV_8UC(int(sizeof(T)))); }
 
     void create(Size size, const T& frame)

@@ -146,8 +146,9 @@ Mat changeScene(const Mat& scene, Bytes& bytes)
     case 1:
     {
         Mat noise(scene.size(), CV_32FC3);
+        RNG random = takeRandom(bytes);
         const double deviation = 0.02 + 0.02 * takeUpTo(5, bytes);
-        takeRandom(bytes).fill(noise, RNG::NORMAL, cv::Scalar::all(0), cv::Scalar::all(deviation));
+        random.fill(noise, RNG::NORMAL, cv::Scalar::all(0), cv::Scalar::all(deviation));
         next += noise;
         break;
     }
@@ -162,7 +163,7 @@ Mat changeScene(const Mat& scene, Bytes& bytes)
     return next;
 }
 
-//! Puts values into floats that are none or far from the others.
+//! Puts NaN, infinity and extreme values into a float matrix.
 static void writeSpecials(Mat& floats, Bytes& bytes)
 {
     const float specials[] = { NOT_A_NUMBER, INFINITE, -INFINITE, 0.f, -3.f, 7.f, FLT_MAX, -FLT_MAX, 1e-42f };
