@@ -15,7 +15,7 @@ if [ "${1:-}" = --cached ] && [ ! -s "$chroots/$name/.complete" ]; then
     exit
 fi
 # What the packages depend on is there before, so that what they themselves leave can be seen.
-make_chroot $name bookworm "" g++ cmake make pkgconf dpkg-dev pybind11-dev python3-dev python3-numpy python3-pil \
+make_chroot $name bookworm "" g++ cmake make pkgconf dpkg-dev file pybind11-dev python3-dev python3-numpy python3-pil \
     libopencv-dev
 clean=$chroots/$name
 logs=$cache/package-logs

@@ -1,24 +1,29 @@
 #!/usr/bin/env bash
 # Builds and runs the module beside the OpenCV of other releases of Debian, each in a folder of the cache:
-#   scripts/releases.sh [trixie] [sid]    4.10.0 of Debian 13, and 5.0.0 of experimental on sid; both by default
-#   scripts/releases.sh --cached          those that are in the cache
+#   scripts/releases.sh [bookworm] [trixie] [sid]    4.6.0 of Debian 12, 4.10.0 of Debian 13, and 5.0.0 of experimental
+#                                                    on sid; all three by default
+#   scripts/releases.sh --cached                     those that are in the cache
 # There: the tests in C++, the 200 labels of tools/checks/sameness.cpp against those with the OpenCV here, the samples,
-# the code of the documents, the Python package. It needs root; the first time it fetches 0.8 GB for each.
+# the code of the documents, the Python package by pip. It needs root; the first time it fetches 0.8 GB for each.
 # The last line is "N passed, N failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
 
-tools=(g++ cmake make pkgconf libgtest-dev)
-python=(python3-venv python3-dev pybind11-dev python3-pybind11 python3-scikit-build-core python3-numpy python3-pil)
-with_opencv=(libopencv-dev python3-opencv)
+packages=(g++ cmake make pkgconf libgtest-dev libopencv-dev python3-opencv
+          python3-venv python3-dev pybind11-dev python3-pybind11 python3-numpy python3-pil)
+build_core=python3-scikit-build-core
+# What the tests of the Python package take part with where it is there.
+optional=(python3-skimage python3-dask python3-distributed python3-zarr python3-rasterio mypy)
 place=$cache/releases
 
 make_release() { # RELEASE
     case $1 in
-    trixie) make_chroot trixie trixie "" "${tools[@]}" "${python[@]}" "${with_opencv[@]}" ;;
-    sid) make_chroot sid sid experimental -t experimental "${tools[@]}" "${python[@]}" "${with_opencv[@]}" ;;
-    *) fail "there is no $1 here; trixie or sid" ;;
+    bookworm) make_chroot bookworm bookworm bookworm-backports "${packages[@]}" "${optional[@]}" \
+        $build_core/bookworm-backports python3-packaging/bookworm-backports ;;
+    trixie) make_chroot trixie trixie "" "${packages[@]}" $build_core ;;
+    sid) make_chroot sid sid experimental -t experimental "${packages[@]}" $build_core ;;
+    *) fail "there is no $1 here; bookworm, trixie or sid" ;;
     esac
 }
 
@@ -98,6 +103,8 @@ run_python() { # RELEASE
     check "$1: interface of the package" inside "$1" env GWATERSHED_TEST=package \
         /venv/bin/python /gwatershed/misc/python/test/test_gwatershed.py
     check "$1: the package" inside "$1" /venv/bin/python /gwatershed/python/test/test_package.py
+    check "$1: tiles" inside "$1" sh -c '! /venv/bin/python -c "import zarr, dask" ||
+        /venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py'
     check "$1: beside cv2" inside "$1" /venv/bin/python -c \
         'import cv2, gwatershed; print(cv2.__version__); import numpy as np
 image = np.random.RandomState(1).randint(0, 255, (90, 90, 3), np.uint8)
@@ -122,10 +129,10 @@ run_release() { # RELEASE
 }
 
 releases=("$@")
-[ $# -gt 0 ] || releases=(trixie sid)
+[ $# -gt 0 ] || releases=(bookworm trixie sid)
 if [ "${1:-}" = --cached ]; then
     releases=()
-    for release in trixie sid; do
+    for release in bookworm trixie sid; do
         [ ! -s "$chroots/$release/.complete" ] || releases+=("$release")
     done
 fi
