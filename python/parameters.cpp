@@ -30,7 +30,7 @@ std::map<std::string, Setter>& setters()
 //! A parameter of one value: setName(keyword), getName(), and the keyword of the constructor.
 template <typename T>
 void bindValue(SessionClass& to, const char* keyword, const std::string& name, void (SuperpixelGWatershed::*set)(T),
-               T (SuperpixelGWatershed::*get)() const, const char* description, const char* argument = nullptr)
+               T (SuperpixelGWatershed::*get)() const, const char* description)
 {
     const auto setter = [set](Session& session, T value) {
         session.call([&](SuperpixelGWatershed& superpixels) { (superpixels.*set)(value); });
@@ -38,7 +38,7 @@ void bindValue(SessionClass& to, const char* keyword, const std::string& name, v
     const auto getter = [get](Session& session) {
         return session.call([&](SuperpixelGWatershed& superpixels) { return (superpixels.*get)(); });
     };
-    to.def(("set" + name).c_str(), setter, py::arg(argument ? argument : keyword), description);
+    to.def(("set" + name).c_str(), setter, py::arg(keyword), description);
     to.def(("get" + name).c_str(), getter, description);
     setters()[keyword] = [setter](Session& session, const py::handle& value) { setter(session, value.cast<T>()); };
 }
@@ -80,7 +80,7 @@ void bindParameters(SessionClass& to)
     bindValue(to, "ruler", "Ruler", &S::setRuler, &S::getRuler, "Compactness; 0 follows the image alone.");
     bindValue(to, "alpha", "Alpha", &S::setAlpha, &S::getAlpha, "Weight of colour against depth, in [0, 1].");
     bindValue(to, "lab_input", "LabInput", &S::setLabInput, &S::getLabInput,
-              "Whether images come as lightness and two colour differences.", "uniform");
+              "Whether images come as lightness and two colour differences.");
     bindValue(to, "temporal", "Temporal", &S::setTemporal, &S::getTemporal,
               "Whether superpixels keep their labels from frame to frame.");
     bindValue(to, "border_threshold", "BorderThreshold", &S::setBorderThreshold, &S::getBorderThreshold,

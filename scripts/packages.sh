@@ -8,29 +8,29 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
 
-name=packages
-if [ "${1:-}" = --cached ] && [ ! -s "$chroots/$name/.complete" ]; then
+release=packages
+if [ "${1:-}" = --cached ] && [ ! -s "$chroots/$release/.complete" ]; then
     say "the Debian for the packages is not in the cache: they are left out"
     finish
     exit
 fi
 # What the packages depend on is there before, so that what they themselves leave can be seen.
-make_chroot $name bookworm "" g++ cmake make pkgconf dpkg-dev file pybind11-dev python3-dev python3-numpy python3-pil \
+make_chroot $release bookworm "" g++ cmake make pkgconf dpkg-dev file pybind11-dev python3-dev python3-numpy python3-pil \
     libopencv-dev
-clean=$chroots/$name
+clean=$chroots/$release
 logs=$cache/package-logs
 mkdir -p "$logs"
 
 make_packages() {
-    inside $name rm -rf /build/packages
-    inside $name cmake -S /gwatershed -B /build -DCMAKE_BUILD_TYPE=Release -DBUILD_PYTHON=ON -DBUILD_SAMPLES=OFF &&
-    inside $name cmake --build /build --parallel "$(nproc)" &&
-    inside $name sh -c 'cd /build && cpack -B /build/packages && ls -l packages/*.deb && rm -rf packages/_CPack_Packages'
+    inside $release rm -rf /build/packages
+    inside $release cmake -S /gwatershed -B /build -DCMAKE_BUILD_TYPE=Release -DBUILD_PYTHON=ON -DBUILD_SAMPLES=OFF &&
+    inside $release cmake --build /build --parallel "$(nproc)" &&
+    inside $release sh -c 'cd /build && cpack -B /build/packages && ls -l packages/*.deb && rm -rf packages/_CPack_Packages'
 }
 
 # All files but the notes of dpkg, apt and ldconfig.
 list_files() {
-    inside $name find / -xdev \( -path /proc -o -path /sys -o -path /build -o -path /gwatershed -o -path /var/lib/dpkg \
+    inside $release find / -xdev \( -path /proc -o -path /sys -o -path /build -o -path /gwatershed -o -path /var/lib/dpkg \
         -o -path /var/lib/apt -o -path /var/cache -o -path /var/log -o -path /tmp -o -path /user \) -prune -o -print | sort
 }
 
@@ -65,49 +65,50 @@ CMAKE
 }
 
 builds_by_cmake() {
-    inside $name sh -c 'cd /user && cmake -S . -B build && cmake --build build && build/superpixels && build/by_old_name'
+    inside $release sh -c 'cd /user && cmake -S . -B build && cmake --build build && build/superpixels && build/by_old_name'
 }
 
 builds_by_pkg_config() {
-    inside $name sh -c 'cd /user && pkg-config --modversion gwatershed &&
+    inside $release sh -c 'cd /user && pkg-config --modversion gwatershed &&
         g++ superpixels.cpp -o by-pkg-config $(pkg-config --cflags --libs gwatershed) && ./by-pkg-config'
 }
 
 refuses_another_opencv() {
-    ! inside $name cmake -S /user -B /user/refused -DOpenCV_DIR=/user/other >"$logs/refused" 2>&1 || return 1
+    ! inside $release cmake -S /user -B /user/refused -DOpenCV_DIR=/user/other >"$logs/refused" 2>&1 || return 1
     tr -s '\n ' ' ' <"$logs/refused" | grep -o 'It was built with OpenCV 4.6, and here is OpenCV 4.99.1'
 }
 
 refuses_another_version() {
-    inside $name sed -i 's/gwatershed 0.1/gwatershed 99.0/' /user/CMakeLists.txt
-    ! inside $name cmake -S /user -B /user/version
+    inside $release sed -i 's/gwatershed 0.1/gwatershed 99.0/' /user/CMakeLists.txt
+    ! inside $release cmake -S /user -B /user/version >"$logs/version" 2>&1 || return 1
+    grep 'requested version "99.0"' "$logs/version"
 }
 
 runs_python() {
-    inside $name /usr/bin/python3 /gwatershed/python/test/test_package.py &&
-    inside $name env GWATERSHED_TEST=package /usr/bin/python3 /gwatershed/misc/python/test/test_gwatershed.py
+    inside $release /usr/bin/python3 /gwatershed/python/test/test_package.py &&
+    inside $release env GWATERSHED_TEST=package /usr/bin/python3 /gwatershed/misc/python/test/test_gwatershed.py
 }
 
 runs_command() {
-    inside $name sh -c 'cd /user && python3 -c "
+    inside $release sh -c 'cd /user && python3 -c "
 from PIL import Image
 Image.linear_gradient(\"L\").save(\"ramp.png\")" && gwatershed ramp.png -o contours.png --number 30 && [ -s contours.png ]'
 }
 
-copy_inside $name /gwatershed
-inside $name sh -c 'dpkg --purge $(dpkg-query -W -f "\${Package} " "*gwatershed*") 2>/dev/null' || true
+copy_inside $release /gwatershed
+inside $release sh -c 'dpkg --purge $(dpkg-query -W -f "\${Package} " "*gwatershed*") 2>/dev/null' || true
 say "making the packages"
 check "packages" make_packages
 make_program
 list_files >"$logs/before"
-check "install" inside $name sh -c 'apt-get install -y --no-install-recommends --no-download /build/packages/*.deb'
+check "install" inside $release sh -c 'apt-get install -y --no-install-recommends /build/packages/*.deb'
 check "a program, by CMake" builds_by_cmake
 check "a program, by pkg-config" builds_by_pkg_config
 check "another OpenCV is refused" refuses_another_opencv
 check "another version is refused" refuses_another_version
 check "Python" runs_python
 check "the command" runs_command
-check "purge" inside $name sh -c 'apt-get purge -y $(dpkg-query -W -f "\${Package} " "*gwatershed*")'
+check "purge" inside $release sh -c 'apt-get purge -y $(dpkg-query -W -f "\${Package} " "*gwatershed*")'
 list_files >"$logs/after"
 check "nothing is left" diff "$logs/before" "$logs/after"
 finish

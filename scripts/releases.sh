@@ -83,12 +83,13 @@ runs_demo() { # RELEASE
 run_documents() { # RELEASE
     local document folder
     check "$1: install" inside "$1" cmake --install /build --prefix /installed
-    for document in README.md doc/gwatershed.markdown; do
+    for document in doc/installing.markdown README.md doc/gwatershed.markdown; do
         folder=$place/blocks/$document
         check "$1: $document: code blocks" "$root/scripts/code_blocks.py" "$root/$document" "$folder"
+        [ -f "$folder/superpixels.cpp" ] || continue
         as_root rm -rf "$chroots/$1/blocks"
         as_root cp -r "$folder" "$chroots/$1/blocks"
-        [ ! -f "$folder/superpixels.cpp" ] || check "$1: $document: C++" inside "$1" sh -c \
+        check "$1: $document: C++" inside "$1" sh -c \
             'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed && cmake --build build && build/superpixels'
     done
     check "$1: pkg-config" inside "$1" sh -c 'cd /blocks &&
@@ -97,15 +98,19 @@ run_documents() { # RELEASE
         LD_LIBRARY_PATH=/build ./by-pkg-config'
 }
 
+# The package is installed as doc/installing.markdown says, and the code there runs.
 run_python() { # RELEASE
-    check "$1: pip install" inside "$1" sh -c 'rm -rf /venv && python3 -m venv --system-site-packages /venv &&
-        cd /gwatershed && /venv/bin/pip install --no-build-isolation --no-index .'
+    local blocks=$place/blocks/doc/installing.markdown
+    check "$1: pip install" inside "$1" sh -ec "rm -rf /gwatershed/venv; cd /gwatershed
+        $(grep venv "$blocks/superpixels.sh" | grep -v 'apt-get\|python3-venv')"
+    as_root cp "$blocks/superpixels.py" "$chroots/$1/installing.py"
+    check "$1: doc/installing.markdown: Python" inside "$1" /gwatershed/venv/bin/python /installing.py
     check "$1: interface of the package" inside "$1" env GWATERSHED_TEST=package \
-        /venv/bin/python /gwatershed/misc/python/test/test_gwatershed.py
-    check "$1: the package" inside "$1" /venv/bin/python /gwatershed/python/test/test_package.py
-    check "$1: tiles" inside "$1" sh -c '! /venv/bin/python -c "import zarr, dask" ||
-        /venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py'
-    check "$1: beside cv2" inside "$1" /venv/bin/python -c \
+        /gwatershed/venv/bin/python /gwatershed/misc/python/test/test_gwatershed.py
+    check "$1: the package" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_package.py
+    check "$1: tiles" inside "$1" sh -c '! /gwatershed/venv/bin/python -c "import zarr, dask" ||
+        /gwatershed/venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py'
+    check "$1: beside cv2" inside "$1" /gwatershed/venv/bin/python -c \
         'import cv2, gwatershed; print(cv2.__version__); import numpy as np
 image = np.random.RandomState(1).randint(0, 255, (90, 90, 3), np.uint8)
 print(gwatershed.segment(cv2.blur(image, (5, 5)), 10, bgr=True).max())'
