@@ -5,7 +5,8 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-need_packages cmake g++ make libopencv-dev pybind11-dev python3-dev python3-numpy python3-pil
+need_packages cmake g++ make libopencv-dev pybind11-dev python3-dev python3-numpy python3-pil python3-skimage mypy \
+    python3-dask python3-distributed python3-zarr python3-rasterio
 build="$cache/python alone"
 package="$build/package"
 say "building the extension"
@@ -33,4 +34,5 @@ run_unittest() { # NAME FILE [VARIABLE=VALUE...]
 
 run_unittest interface "$root/misc/python/test/test_gwatershed.py" GWATERSHED_TEST=package
 run_unittest package "$root/python/test/test_package.py"
+run_unittest tiles "$root/python/test/test_tiles.py" PYTHONWARNINGS=ignore
 finish

@@ -79,17 +79,25 @@ runs_demo() { # RELEASE
     inside "$1" /build/gwatershed_polygons -i=/build/picture.ppm -k=300 -o=/build/polygons.json
 }
 
+# The pictures that the documents name, of the source of OpenCV that scripts/test.sh has fetched.
+copy_samples() { # RELEASE
+    local data=$cache/4.6.0/source/samples/data
+    [ -d "$data" ] || fail "there is no $data yet: run scripts/test.sh"
+    [ -d "$chroots/$1/data" ] || as_root cp -r "$data" "$chroots/$1/data"
+}
+
 # The code of the documents is built against the installed module.
 run_documents() { # RELEASE
     local document folder
     check "$1: install" inside "$1" cmake --install /build --prefix /installed
-    for document in doc/installing.markdown README.md doc/gwatershed.markdown; do
+    copy_samples "$1"
+    for document in doc/installing.markdown doc/gwatershed.markdown README.md; do
         folder=$place/blocks/$document
         check "$1: $document: code blocks" "$root/scripts/code_blocks.py" "$root/$document" "$folder"
         [ -f "$folder/superpixels.cpp" ] || continue
         as_root rm -rf "$chroots/$1/blocks"
         as_root cp -r "$folder" "$chroots/$1/blocks"
-        check "$1: $document: C++" inside "$1" sh -c \
+        check "$1: $document: C++" inside "$1" env OPENCV_SAMPLES_DATA_PATH=/data sh -c \
             'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed && cmake --build build && build/superpixels'
     done
     check "$1: pkg-config" inside "$1" sh -c 'cd /blocks &&

@@ -28,8 +28,8 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_equal_brute_force)
     {
         const Size size(rng.uniform(1, 200), rng.uniform(1, 150));
         Ptr<SuperpixelGWatershed> gws = segmentScene(GetParam(), size, i, makeScene(size, rng), rng);
-        Mat values(size, types[i % 8]), depth = makeDepth(size, 0.4, rng), channels = values.reshape(1);
-        rng.fill(channels, RNG::UNIFORM, Scalar::all(0), Scalar::all(100));
+        Mat values(size, types[i % 8]), depth = makeDepth(size, 0.4, rng), single = values.reshape(1);
+        rng.fill(single, RNG::UNIFORM, Scalar::all(0), Scalar::all(100));
         if (i % 3 == 0)
         {
             depth.convertTo(depth, CV_32F, 0.001);

@@ -10,7 +10,8 @@ import numpy as np
 
 from .tiling import Window
 
-SAMPLES = 1024  # in each direction, for the range of an image
+SAMPLED_ROWS = 64  # for the range of an image; each may need a row of chunks
+SAMPLES_IN_A_ROW = 4096
 
 
 def is_zarr(name: str) -> bool:
@@ -72,10 +73,10 @@ class Source:
 
     def range(self) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are."""
-        rows = [self._sample_row(y) for y in range(0, self.height, max(self.height // SAMPLES, 1))]
-        if rows[0].dtype == np.uint8:
+        if self.read(Window(0, 0, 1, 1))[0].dtype == np.uint8:
             return None
-        samples = np.concatenate(rows)
+        step = -(-self.height // SAMPLED_ROWS)
+        samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
         if samples.size == 0:
             return None
         low, high = (float(p) for p in np.percentile(samples.astype(np.float64), (1, 99)))
@@ -83,7 +84,7 @@ class Source:
 
     def _sample_row(self, y: int) -> Any:
         pixels, valid = self.read(Window(y, 0, y + 1, self.width))
-        step = max(self.width // SAMPLES, 1)
+        step = max(self.width // SAMPLES_IN_A_ROW, 1)
         return pixels[0, ::step][valid[0, ::step]].ravel()
 
 
