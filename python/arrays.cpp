@@ -50,8 +50,8 @@ static int channelsOf(const py::array& values, const char* name)
                               std::to_string(values.ndim()));
     const py::ssize_t channels = values.ndim() == 2 ? 1 : values.shape(2);
     if (channels > CV_CN_MAX)
-        throw py::value_error(std::string(name) + " must have at most " + std::to_string(CV_CN_MAX) + " channels, not " +
-                              std::to_string(channels));
+        throw py::value_error(std::string(name) + " must have at most " + std::to_string(CV_CN_MAX) +
+                              " channels, not " + std::to_string(channels));
     return int(channels);
 }
 

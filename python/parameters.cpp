@@ -68,7 +68,8 @@ void bindEnd(SessionClass& to, const char* name, float (SuperpixelGWatershed::*g
 
 } // namespace
 
-// A new parameter needs a line here, and its names in gwatershed/_native.pyi; pickle and copy follow write() and read().
+// A new parameter needs a line here, and its names in gwatershed/_native.pyi. Pickle and copy follow write() and
+// read().
 void bindParameters(SessionClass& to)
 {
     using S = SuperpixelGWatershed;

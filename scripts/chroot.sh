@@ -18,8 +18,8 @@ inside() { # RELEASE COMMAND...
     shift
     ! as_root unshare --mount --pid --fork true 2>/dev/null ||
         with_proc=(unshare --mount --pid --fork "--mount-proc=$folder/proc")
-    as_root "${with_proc[@]}" chroot "$folder" /usr/bin/env -i HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-        PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+    as_root "${with_proc[@]}" chroot "$folder" /usr/bin/env -i HOME=/root LC_ALL=C.UTF-8 \
+        DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
 }
 
 # Installs packages there; what comes before the names goes to apt.

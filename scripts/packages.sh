@@ -15,8 +15,8 @@ if [ "${1:-}" = --cached ] && [ ! -s "$chroots/$release/.complete" ]; then
     exit
 fi
 # What the packages depend on is there before, so that what they themselves leave can be seen.
-make_chroot $release bookworm "" g++ cmake make pkgconf dpkg-dev file pybind11-dev python3-dev python3-numpy python3-pil \
-    libopencv-dev
+make_chroot $release bookworm "" g++ cmake make pkgconf dpkg-dev file pybind11-dev python3-dev python3-numpy \
+    python3-pil libopencv-dev
 clean=$chroots/$release
 logs=$cache/package-logs
 mkdir -p "$logs"
@@ -25,13 +25,15 @@ make_packages() {
     inside $release rm -rf /build/packages
     inside $release cmake -S /gwatershed -B /build -DCMAKE_BUILD_TYPE=Release -DBUILD_PYTHON=ON -DBUILD_SAMPLES=OFF &&
     inside $release cmake --build /build --parallel "$(nproc)" &&
-    inside $release sh -c 'cd /build && cpack -B /build/packages && ls -l packages/*.deb && rm -rf packages/_CPack_Packages'
+    inside $release sh -c 'cd /build && cpack -B /build/packages && rm -rf packages/_CPack_Packages &&
+        ls -l packages/*.deb'
 }
 
 # All files but the notes of dpkg, apt and ldconfig.
 list_files() {
-    inside $release find / -xdev \( -path /proc -o -path /sys -o -path /build -o -path /gwatershed -o -path /var/lib/dpkg \
-        -o -path /var/lib/apt -o -path /var/cache -o -path /var/log -o -path /tmp -o -path /user \) -prune -o -print | sort
+    inside $release find / -xdev \( -path /proc -o -path /sys -o -path /build -o -path /gwatershed \
+        -o -path /var/lib/dpkg -o -path /var/lib/apt -o -path /var/cache -o -path /var/log -o -path /tmp -o -path /user \) \
+        -prune -o -print | sort
 }
 
 # A program of five lines in a folder of its own.
@@ -65,7 +67,8 @@ CMAKE
 }
 
 builds_by_cmake() {
-    inside $release sh -c 'cd /user && cmake -S . -B build && cmake --build build && build/superpixels && build/by_old_name'
+    inside $release sh -c 'cd /user && cmake -S . -B build && cmake --build build &&
+        build/superpixels && build/by_old_name'
 }
 
 builds_by_pkg_config() {
@@ -92,7 +95,8 @@ runs_python() {
 runs_command() {
     inside $release sh -c 'cd /user && python3 -c "
 from PIL import Image
-Image.linear_gradient(\"L\").save(\"ramp.png\")" && gwatershed ramp.png -o contours.png --number 30 && [ -s contours.png ]'
+Image.linear_gradient(\"L\").save(\"ramp.png\")" && gwatershed ramp.png -o contours.png --number 30 &&
+        [ -s contours.png ]'
 }
 
 copy_inside $release /gwatershed

@@ -58,7 +58,8 @@ run_tests() { # RELEASE
     inside "$1" /build/opencv_test_gwatershed --gtest_output=xml:/build/tests.xml >"$logs/tests.log" 2>&1 || true
     local report=$chroots/$1/build/tests.xml tests=0 failures=1
     if [ -s "$report" ]; then
-        read -r tests failures < <(sed -n 's/.*<testsuites tests="\([0-9]*\)" failures="\([0-9]*\)".*/\1 \2/p' "$report")
+        read -r tests failures < <(sed -n \
+            's/.*<testsuites tests="\([0-9]*\)" failures="\([0-9]*\)".*/\1 \2/p' "$report")
     fi
     grep -E -B 20 '^\[  FAILED  \]' "$logs/tests.log" || true
     echo "  $tests tests, $failures failed; log: $logs/tests.log"
@@ -98,7 +99,8 @@ run_documents() { # RELEASE
         as_root rm -rf "$chroots/$1/blocks"
         as_root cp -r "$folder" "$chroots/$1/blocks"
         check "$1: $document: C++" inside "$1" env OPENCV_SAMPLES_DATA_PATH=/data sh -c \
-            'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed && cmake --build build && build/superpixels'
+            'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed && cmake --build build &&
+             build/superpixels'
     done
     check "$1: pkg-config" inside "$1" sh -c 'cd /blocks &&
         export PKG_CONFIG_PATH=$(dirname "$(find /installed -name gwatershed.pc)") &&
@@ -126,7 +128,8 @@ print(gwatershed.segment(cv2.blur(image, (5, 5)), 10, bgr=True).max())'
 
 run_release() { # RELEASE
     make_release "$1"
-    say "$1: OpenCV $(inside "$1" dpkg-query -W -f '${Version}' libopencv-dev), $(inside "$1" g++ --version | head -n 1)"
+    say "$1: OpenCV $(inside "$1" dpkg-query -W -f '${Version}' libopencv-dev)," \
+        "$(inside "$1" g++ --version | head -n 1)"
     copy_inside "$1" /gwatershed
     logs=$place/logs/$1
     mkdir -p "$logs"

@@ -2,7 +2,8 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)
-install(CODE "set(directories [[${package_dir}]] [[${CMAKE_INSTALL_LIBDIR}/pkgconfig]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2]])")
+install(CODE "set(directories
+  [[${package_dir}]] [[${CMAKE_INSTALL_LIBDIR}/pkgconfig]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2]])")
 install(CODE "set(build_dir [[${PROJECT_BINARY_DIR}]])")
 install(SCRIPT misc/cmake/note_directories.cmake)
 

@@ -20,7 +20,10 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libopencv-gwatershed-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "${library_package} (= ${PROJECT_VERSION}), libopencv-dev (>= ${opencv_series}), libopencv-dev (<< ${opencv_next_series}~)")
+  "${library_package} (= ${PROJECT_VERSION})"
+  "libopencv-dev (>= ${opencv_series})"
+  "libopencv-dev (<< ${opencv_next_series}~)")
+list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The header, and files for CMake and pkg-config.")
 
 if(BUILD_PYTHON AND NOT SKBUILD)

@@ -51,7 +51,8 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("images", nargs="+", metavar="IMAGE", help="image file, of a kind that Pillow reads")
     parser.add_argument("-o", "--output", required=True, metavar="FILE",
                         help="picture to write; a folder for several images; .npy is an array of NumPy")
-    parser.add_argument("-d", "--depth", metavar="FILE", help="depth of the image: 8 or 16 bits, or float; 0 is missing")
+    parser.add_argument("-d", "--depth", metavar="FILE",
+                        help="depth of the image: 8 or 16 bits, or float; 0 is missing")
     size = parser.add_mutually_exclusive_group()
     size.add_argument("-k", "--number", type=int, metavar="N", help="number of superpixels, met exactly")
     size.add_argument("-s", "--region-size", type=int, metavar="N", help="side of a superpixel in pixels; default 20")

@@ -43,7 +43,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
 
 
 def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_label: int = 0) -> Any:
-    """Measures the superpixels of a label map in one pass; returns a structured array, a row for each label that occurs.
+    """Measures the superpixels of a label map in one pass, into a structured array: a row for each label that occurs.
 
     labels: integers; pixels below start_label are outside.
     image: image of that size, of any number of channels, for mean_color.

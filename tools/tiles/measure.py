@@ -4,12 +4,12 @@
 # of this distribution and at http://opencv.org/license.html.
 """Measures gwatershed.tiles on a mosaic of photographs that annotators have segmented, as those of BSDS500:
 
-  measure.py mosaic FOLDER SIDE         makes FOLDER/image.zarr and FOLDER/edges.zarr; PHOTOGRAPHS and TRUTH say from what
+  measure.py mosaic FOLDER SIDE         makes FOLDER/image.zarr and FOLDER/edges.zarr
   measure.py run FOLDER WORKERS KIND    segments it by threads or processes; prints seconds and the largest memory
   measure.py plain FOLDER SIDE          the plain call and the tiles on a corner that fits into memory; prints seconds
   measure.py seams FOLDER               explained variation and boundary recall near the edges of tiles and elsewhere
 
-TRUTH has a label map NAME-0.png for PHOTOGRAPHS/NAME.jpg.
+The environment names two folders: TRUTH has a label map NAME-0.png for PHOTOGRAPHS/NAME.jpg.
 """
 import os
 import random
