@@ -52,6 +52,8 @@ static int channelsOf(const py::array& values, const char* name)
     if (channels > CV_CN_MAX)
         throw py::value_error(std::string(name) + " must have at most " + std::to_string(CV_CN_MAX) +
                               " channels, not " + std::to_string(channels));
+    if (channels == 0)
+        throw py::value_error(std::string(name) + " must have at least one channel");
     return int(channels);
 }
 
@@ -63,8 +65,18 @@ static cv::Mat headerOf(const py::array& values, int depth, int channels)
     return cv::Mat(height, width, CV_MAKETYPE(depth, channels), const_cast<void*>(values.data()), step);
 }
 
+//! Integers that a matrix cannot have become double.
+static py::array narrow(const py::array& values)
+{
+    const char kind = values.dtype().kind();
+    if ((kind == 'i' || kind == 'u') && depthOf(values.dtype()) < 0)
+        return py::array(values.attr("astype")("float64"));
+    return values;
+}
+
 static Pixels takeValues(py::array values, const char* name)
 {
+    values = narrow(values);
     const int depth = depthOf(values.dtype());
     if (depth < 0)
         throw py::value_error(std::string(name) + " must not be of the type " + textOf(values.dtype()));

@@ -229,6 +229,9 @@ void bindSteps(SessionClass& to)
     to.def("mergeSimilar", [](Session& session, int num_superpixels) {
         session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSimilar(num_superpixels); });
     }, py::arg("num_superpixels"), "Merges neighbours, the most similar first, until a number is left.");
+    to.def("mergeSmall", [](Session& session, int min_area) {
+        session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSmall(min_area); });
+    }, py::arg("min_area"), "Merges superpixels of fewer pixels into a neighbour.");
     to.def("setMask", setMask, py::arg("mask"), "Restricts the segmentation; bool or uint8. None: no mask.");
     to.def("setMarkers", setMarkers, py::arg("markers"),
            "Sets the markers that superpixels grow from; int32. None: no markers.");
@@ -263,11 +266,11 @@ void bindFactories(py::module_& to)
 {
     const py::object none = py::none();
     const char* name = "createSuperpixelGWatershed";
-    to.def(name, createForImage, py::arg("image"), py::arg("algorithm") = int(cv::ximgproc::RGWATERSHED),
-           py::arg("region_size") = none, py::arg("ruler") = none, "Makes an object for an image.");
-    to.def(name, createForDepth, py::arg("image"), py::arg("depth"), py::arg("algorithm") = none,
+    to.def(name, createForImage, py::arg("image"), py::arg("algorithm"), py::arg("region_size") = none,
+           py::arg("ruler") = none, "Makes an object for an image.");
+    to.def(name, createForDepth, py::arg("image"), py::arg("depth") = none, py::arg("algorithm") = none,
            py::arg("region_size") = none, py::arg("ruler") = none, py::arg("alpha") = none,
-           "Makes an object for an image with depth; None is no depth.");
+           "Makes an object for an image, with depth where that is not None.");
     to.def(name, createForSize, py::arg("image_width"), py::arg("image_height"), py::arg("image_channels"),
            py::arg("num_superpixels"), py::arg("algorithm") = none, py::arg("ruler") = none,
            "Makes an object for images of a size.");

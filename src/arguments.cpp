@@ -17,7 +17,15 @@ void checkSize(int64 width, int64 height)
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
 }
 
-//! The matrix of an input; the data is not copied.
+//! In Python an array of the shape (H, W, 0) becomes a matrix of many channels that has no memory.
+static void checkMemory(const Mat& matrix, const char* name)
+{
+    const size_t row = matrix.cols * matrix.elemSize();
+    if ((matrix.rows > 1 && matrix.step[0] < row) || (matrix.u && matrix.u->size < row))
+        CV_Error_(Error::StsBadArg, ("%s must have a channel", name));
+}
+
+//! The header of a matrix.
 static Mat takeMatrix(InputArray input, const char* name)
 {
     const int kind = input.kind();
@@ -26,7 +34,9 @@ static Mat takeMatrix(InputArray input, const char* name)
         CV_Error_(Error::StsBadArg, ("%s must be one Mat or UMat", name));
     const Mat matrix = input.getMat();
     if (matrix.dims != 2)
-        CV_Error_(Error::StsBadArg, ("%s must have two dimensions, not %d", name, matrix.dims));
+        CV_Error_(Error::StsBadArg, ("%s must have two dimensions, and at most %d channels; it has %d dimensions", name,
+                                     CV_CN_MAX, matrix.dims));
+    checkMemory(matrix, name);
     return matrix;
 }
 
@@ -35,10 +45,9 @@ Mat checkImage(InputArray input)
     if (input.empty())
         CV_Error(Error::StsBadArg, "image must not be empty");
     const Mat image = takeMatrix(input, "image");
-    CV_Check(image.depth(), image.depth() == CV_8U || image.depth() == CV_16U || image.depth() == CV_32F,
-             "image must be CV_8U, CV_16U or CV_32F");
-    CV_Check(image.channels(), image.channels() == 1 || image.channels() == 3 || image.channels() == 4,
-             "image must have 1, 3 or 4 channels");
+    CV_CheckDepth(image.depth(), image.depth() <= CV_16F, "image must be CV_8U, 8S, 16U, 16S, 32S, 32F, 64F or 16F");
+    CV_CheckLE(image.channels(), MAX_CHANNELS,
+               "image must have 1 to 4 channels; choose some by extractChannel() or merge(), or reduce them by PCA");
     checkSize(image.cols, image.rows);
     return image;
 }
@@ -46,10 +55,11 @@ Mat checkImage(InputArray input)
 Mat checkDepth(InputArray input, Size size)
 {
     if (input.empty())
-        CV_Error(Error::StsBadArg, "depth must not be empty; call iterate(image) where there is none");
+        return Mat();
     const Mat depth = takeMatrix(input, "depth");
-    CV_CheckType(depth.type(), depth.type() == CV_8UC1 || depth.type() == CV_16UC1 || depth.type() == CV_32FC1,
-                 "depth must be CV_8UC1, CV_16UC1 or CV_32FC1");
+    const int type = depth.type();
+    CV_CheckType(type, type == CV_8UC1 || type == CV_16UC1 || type == CV_16SC1 || type == CV_32FC1 || type == CV_64FC1,
+                 "depth must be CV_8UC1, CV_16UC1, CV_16SC1, CV_32FC1 or CV_64FC1");
     CV_CheckEQ(depth.size(), size, "depth must have the size of image");
     return depth;
 }
@@ -68,6 +78,10 @@ Mat checkMask(InputArray input)
     if (input.empty())
         return Mat();
     const Mat mask = takeMatrix(input, "mask");
+#ifdef CV_Bool // since OpenCV 5, of which NumPy's are
+    if (mask.type() == CV_BoolC1)
+        return Mat(mask.size(), CV_8UC1, mask.data, mask.step);
+#endif
     CV_CheckTypeEQ(mask.type(), CV_8UC1, "mask must be CV_8UC1");
     return mask;
 }

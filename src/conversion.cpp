@@ -3,133 +3,243 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "conversion.hpp"
-#include "shared/valid_depth.hpp"
+
+#include <atomic>
+#include <limits>
 
 namespace cv { namespace ximgproc { namespace gws {
 
-Mat convertImage(const Mat& image, Mat& buffer)
-{
-    CV_TRACE_FUNCTION();
-    if (image.depth() == CV_8U)
-        return image;
-    if (image.depth() == CV_16U)
-    {
-        image.convertTo(buffer, CV_8U, 255. / 65535);
-        return buffer;
-    }
-    buffer.create(image.size(), CV_8UC(image.channels()));
-    parallel_for_(Range(0, image.rows), [&](const Range& range)
-    {
-        Mat row; // NaN and large values are replaced, because they cannot be rounded to integers
-        for (int y = range.start; y < range.end; y++)
-        {
-            image.row(y).copyTo(row);
-            patchNaNs(row, 0);
-            threshold(row, row, 1, 1, THRESH_TRUNC);
-            row.convertTo(buffer.row(y), CV_8U, 255);
-        }
-    });
-    return buffer;
-}
+namespace {
 
-struct DepthRange
-{
-    float first, last;
-};
+const int OUTLIERS = 1000;  //!< one value in so many may lie outside, on each side
+const int SHARE_OF_NOMINAL = 16; //!< values that span less than one part in so many are stretched
 
-//! Smallest and largest valid depth; {0, 0} if there is none.
-template <typename T> static DepthRange findExtrema(const Mat& depth)
+//! The range of the frame, where white and black are not those of the type.
+class RangeFinder
 {
-    DepthRange range = { FLT_MAX, 0 };
-    for (int y = 0; y < depth.rows; y++)
+public:
+    RangeFinder(const Mat& image, const Mat& mask)
+        : image_(image), mask_(mask), channels_(image.channels()), row_(image.cols * channels_, image.rows)
     {
-        const T* row = depth.ptr<T>(y);
-        for (int x = 0; x < depth.cols; x++)
-            if (isValidDepth(row[x]))
-            {
-                range.first = std::min(range.first, float(row[x]));
-                range.last = std::max(range.last, float(row[x]));
-            }
     }
-    return range.last > 0 ? range : DepthRange();
-}
 
-//! The 1st and the 99th percentile of a regular sample. So a few outliers do not matter.
-//! @note The paper says only that D is scaled.
-template <typename T> static DepthRange findRange(const Mat& depth)
-{
-    const double MAX_SAMPLES = 65536;
-    const int step = cvCeil(std::sqrt(double(depth.rows) * depth.cols / MAX_SAMPLES));
-    std::vector<float> sample;
-    for (int y = std::min(step, depth.rows) / 2; y < depth.rows; y += step)
+    FloatRange find()
     {
-        const T* row = depth.ptr<T>(y);
-        for (int x = std::min(step, depth.cols) / 2; x < depth.cols; x += step)
-            if (isValidDepth(row[x]))
-                sample.push_back(float(row[x]));
-    }
-    if (!sample.empty())
-    {
-        const ptrdiff_t rank = ptrdiff_t(sample.size() / 100);
-        std::nth_element(sample.begin(), sample.begin() + rank, sample.end());
-        const float first = *(sample.begin() + rank);
-        std::nth_element(sample.begin(), sample.end() - 1 - rank, sample.end());
-        const DepthRange range = { first, *(sample.end() - 1 - rank) };
+        takeSample();
+        if (values_.empty())
+            return FloatRange();
+        FloatRange nominal;
+        const bool lies_in_nominal = findNominal(nominal) && liesIn(nominal);
+        if (lies_in_nominal && spansMuchOf(nominal))
+            return nominal;
+        const FloatRange range = rangeWithout(values_.size() / OUTLIERS, values_);
         if (range.first < range.last)
             return range;
+        return lies_in_nominal ? nominal : findExtrema();
     }
-    return findExtrema<T>(depth);
+
+private:
+    //! False for types of which no part is the usual one.
+    bool findNominal(FloatRange& range) const
+    {
+        const FloatRange words = { 0, 65535 }, chars = { -128, 127 }, unit = { 0, 1 };
+        const int depth = image_.depth();
+        range = depth == CV_16U ? words : depth == CV_8S ? chars : unit;
+        return depth != CV_16S && depth != CV_32S;
+    }
+
+    //! The finite values of a sample.
+    void takeSample()
+    {
+        const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64;
+        const int64 total = int64(row_.width) * row_.height;
+        const int64 wanted = std::min(std::max(total / PIXELS_PER_VALUE, MIN_VALUES), MAX_VALUES);
+        const size_t bytes = image_.elemSize1();
+        std::vector<uchar> raw;
+        raw.reserve(size_t(std::min(total, wanted)) * bytes);
+        visitSample(row_, (total + wanted - 1) / wanted, [&](int y, int x)
+        {
+            const uchar* value = image_.ptr(y) + size_t(x) * bytes;
+            if (mask_.empty() || mask_.at<uchar>(y, x / channels_))
+                raw.insert(raw.end(), value, value + bytes);
+        });
+        values_.clear();
+        if (raw.empty())
+            return;
+        Mat floats;
+        Mat(1, int(raw.size() / bytes), image_.depth(), raw.data()).convertTo(floats, CV_32F);
+        std::copy_if(floats.begin<float>(), floats.end<float>(), std::back_inserter(values_), isFinite);
+    }
+
+    static bool isFinite(float value) { return std::abs(value) <= FLT_MAX; }
+
+    //! Calls visit(values, count) for the rows, as floats; outside of the mask they are NaN.
+    template <typename Visit> void forRows(Visit visit) const
+    {
+        parallel_for_(Range(0, row_.height), [&](const Range& rows)
+        {
+            Mat floats;
+            for (int y = rows.start; y < rows.end; y++)
+            {
+                const bool as_it_is = image_.depth() == CV_32F && mask_.empty();
+                if (!as_it_is)
+                    image_.row(y).convertTo(floats, CV_32F);
+                for (int x = 0; !mask_.empty() && x < row_.width; x++)
+                    if (!mask_.at<uchar>(y, x / channels_))
+                        floats.ptr<float>()[x] = std::numeric_limits<float>::quiet_NaN();
+                visit(as_it_is ? image_.ptr<float>(y) : floats.ptr<float>(), row_.width);
+            }
+        });
+    }
+
+    //! Whether hardly any finite value is outside of a range.
+    bool liesIn(FloatRange range) const
+    {
+        if (image_.depth() == CV_16U || image_.depth() == CV_8S)
+            return true;
+        std::atomic<int64> outside(0);
+        forRows([&](const float* values, int count)
+        {
+            int lower = 0, higher = 0, infinite = 0;
+            for (int x = 0; x < count; x++)
+            {
+                lower += values[x] < range.first;
+                higher += values[x] > range.last;
+                infinite += std::abs(values[x]) > FLT_MAX;
+            }
+            if (lower + higher > infinite)
+                outside += lower + higher - infinite;
+        });
+        return outside <= int64(row_.width) * row_.height / OUTLIERS;
+    }
+
+    //! Whether the values without outliers span more than a small part of a range.
+    bool spansMuchOf(FloatRange range) const
+    {
+        const int BINS = 4096;
+        std::vector<int> counts(BINS, 0);
+        const float scale = (BINS - 1) / (range.last - range.first);
+        for (float value : values_)
+            counts[int(scale * (std::min(std::max(value, range.first), range.last) - range.first))]++;
+        const int outliers = int(values_.size() / OUTLIERS);
+        int first = 0, last = BINS - 1;
+        for (int left = outliers; left >= counts[first]; first++)
+            left -= counts[first];
+        for (int left = outliers; left >= counts[last]; last--)
+            left -= counts[last];
+        return (last - first) * SHARE_OF_NOMINAL >= BINS - 1;
+    }
+
+    //! Of all finite values.
+    FloatRange findExtrema() const
+    {
+        const FloatRange none = { FLT_MAX, -FLT_MAX };
+        FloatRange extrema = none;
+        Mutex mutex;
+        forRows([&](const float* values, int count)
+        {
+            FloatRange row = none;
+            for (int x = 0; x < count; x++)
+                if (isFinite(values[x]))
+                {
+                    row.first = std::min(row.first, values[x]);
+                    row.last = std::max(row.last, values[x]);
+                }
+            AutoLock lock(mutex);
+            extrema.first = std::min(extrema.first, row.first);
+            extrema.last = std::max(extrema.last, row.last);
+        });
+        return extrema;
+    }
+
+    const Mat image_, mask_;
+    const int channels_;
+    const Size row_; //!< values of a row, and rows
+    std::vector<float> values_;
+};
+
+//! Values of a row, from a range to 0..255. NaN is the low end. T is the type in which it is computed.
+template <typename T> void scaleRow(const Mat& row, FloatRange range, Mat& values, Mat& scaled)
+{
+    const T low = range.first, high = range.last;
+    row.convertTo(values, DataType<T>::depth);
+    T* to = values.ptr<T>();
+    const int count = values.cols * values.channels();
+    for (int x = 0; x < count; x++)
+    {
+        const T value = to[x] > low ? to[x] : low;
+        to[x] = (value < high ? value : high) - low;
+    }
+    values.convertTo(scaled, CV_8U, 255 / (double(high) - low));
 }
 
-template <typename T> static void scaleRows(const Mat& depth, DepthRange range, Mat& scaled)
+//! The same for integers of up to 16 bits, which need no care.
+void scaleRow(const Mat& row, FloatRange range, Mat& scaled)
 {
-    const double factor = 254. / (double(range.last) - range.first);
-    parallel_for_(Range(0, depth.rows), [&](const Range& rows)
+    const double scale = 255 / (double(range.last) - range.first);
+    row.convertTo(scaled, CV_8U, scale, -scale * range.first);
+}
+
+//! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them.
+void scaleImage(const Mat& image, FloatRange range, Mat& scaled)
+{
+    const double span = double(range.last) - range.first;
+    const bool is_moderate = span > 1e-30 && span < 1e30;
+    const int depth = image.depth();
+    scaled.create(image.size(), CV_8UC(image.channels()));
+    if (span <= 0)
     {
+        scaled.setTo(Scalar::all(0));
+        return;
+    }
+    parallel_for_(Range(0, image.rows), [&](const Range& rows)
+    {
+        Mat values;
         for (int y = rows.start; y < rows.end; y++)
         {
-            const T* from = depth.ptr<T>(y);
-            uchar* to = scaled.ptr(y);
-            for (int x = 0; x < depth.cols; x++)
-            {
-                const float value = std::min(std::max(float(from[x]), range.first), range.last);
-                to[x] = isValidDepth(from[x]) ? uchar(1.5 + factor * (value - range.first)) : uchar(0);
-            }
+            Mat to = scaled.row(y);
+            if (is_moderate && depth <= CV_16S)
+                scaleRow(image.row(y), range, to);
+            else if (is_moderate && (depth == CV_32F || depth == CV_16F))
+                scaleRow<float>(image.row(y), range, values, to);
+            else
+                scaleRow<double>(image.row(y), range, values, to);
         }
     });
 }
 
-//! Returns false, and leaves scaled as it is, if all valid depths are equal.
-template <typename T>
-static bool scaleToBytes(const Mat& depth, float near_depth, float far_depth, Mat& scaled)
+//! Two channels as three: between them their mean, so that both count alike when colours are converted.
+void addMeanChannel(const Mat& two, Mat& three)
 {
-    DepthRange range = { near_depth, far_depth };
-    if (far_depth == 0)
-        range = findRange<T>(depth);
-    if (range.first < range.last)
-        scaleRows<T>(depth, range, scaled);
-    return range.first < range.last;
+    three.create(two.size(), CV_8UC3);
+    for (int y = 0; y < two.rows; y++)
+        for (int x = 0; x < two.cols; x++)
+        {
+            const Vec2b value = two.at<Vec2b>(y, x);
+            three.at<Vec3b>(y, x) = Vec3b(value[0], uchar((value[0] + value[1] + 1) / 2), value[1]);
+        }
 }
 
-//! @note Depth that is the same everywhere is dropped. Equation (3) would halve all distances, so some of them would
-//! become equal and the flood would change, although depth adds no information.
-Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer)
+} // namespace
+
+Mat convertImage(const Mat& image, const Mat& mask, FloatRange range, Mat& buffer)
 {
     CV_TRACE_FUNCTION();
-    if (depth.empty())
-        return Mat();
-    bool scaled = true;
-    buffer.create(depth.size(), CV_8UC1);
-    switch (depth.depth())
+    const bool is_pair = image.channels() == 2;
+    Mat bytes = image;
+    if (image.depth() != CV_8U)
     {
-    case CV_8U: depth.copyTo(buffer); break;
-    case CV_16U: scaled = scaleToBytes<ushort>(depth, near_depth, far_depth, buffer); break;
-    default: scaled = scaleToBytes<float>(depth, near_depth, far_depth, buffer);
+        if (range.first == 0 && range.last == 0)
+            range = RangeFinder(image, mask).find();
+        bytes = is_pair ? Mat() : buffer;
+        scaleImage(image, range, bytes);
+        if (!is_pair)
+            buffer = bytes;
     }
-    if (!scaled)
-        return Mat();
-    const DepthRange found = findExtrema<uchar>(buffer);
-    return found.first < found.last ? buffer : Mat();
+    if (!is_pair)
+        return bytes;
+    addMeanChannel(bytes, buffer);
+    return buffer;
 }
 
 }}} // namespace

@@ -5,16 +5,14 @@
 #ifndef OPENCV_GWATERSHED_CONVERSION_HPP
 #define OPENCV_GWATERSHED_CONVERSION_HPP
 
-#include "precomp.hpp"
+#include "shared/sample.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The image in 8 bits: the image itself if it has 8 bits, else converted into the buffer.
-Mat convertImage(const Mat& image, Mat& buffer);
-
-//! Depth as CV_8UC1 in the buffer: 1..255, 0 where it is missing. Empty if depth is empty or the same everywhere. If
-//! both limits are 0, the range is taken from the frame.
-Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer);
+//! The image in 8 bits with 1, 3 or 4 channels: itself if it is that, else converted into the buffer. Values from
+//! range.first to range.last become 0 to 255; where both are 0, the range is that of the image, or of what is
+//! inside of the mask if there is one.
+Mat convertImage(const Mat& image, const Mat& mask, FloatRange range, Mat& buffer);
 
 }}} // namespace
 

@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "conversion.hpp"
+#include "depth_scale.hpp"
 #include "gwatershed/gwatershed.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
@@ -12,6 +13,7 @@
 #include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "segmentation.hpp"
+#include "shared/in_use.hpp"
 #include "shared/user_markers.hpp"
 
 #include <new>
@@ -36,7 +38,7 @@ template <typename Work> void guardMemory(Work work)
 class SuperpixelGWatershedImpl CV_FINAL : public SuperpixelGWatershed
 {
 public:
-    explicit SuperpixelGWatershedImpl(const gws::Parameters& parameters) : parameters_(parameters) {}
+    explicit SuperpixelGWatershedImpl(const gws::Parameters& wanted) : parameters_(wanted) {}
 
     //! Makes room for images of a size.
     void reserve(Size size)
@@ -55,10 +57,11 @@ public:
         depth.copyTo(depth_);
     }
 
-    int getNumberOfSuperpixels() const CV_OVERRIDE { return result_.number; }
+    int getNumberOfSuperpixels() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.number; }
 
     void iterate(int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         if (image_.empty())
             CV_Error(Error::StsError, "There is no image: call iterate(image), or give one to the factory");
         gws::checkIterations(num_iterations);
@@ -67,6 +70,7 @@ public:
 
     void iterate(InputArray image, int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         const Mat checked = gws::checkImage(image);
         gws::checkIterations(num_iterations);
         segment(checked, Mat(), num_iterations);
@@ -74,6 +78,7 @@ public:
 
     void iterate(InputArray image, InputArray depth, int num_iterations) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         const Mat checked = gws::checkImage(image), checked_depth = gws::checkDepth(depth, checked.size());
         gws::checkIterations(num_iterations);
         segment(checked, checked_depth, num_iterations);
@@ -81,6 +86,7 @@ public:
 
     void getLabels(OutputArray labels_out) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(labels_out, CV_32SC1, result_.isLine(), "labels_out");
         guardMemory([&]() { give(result_.labels, labels_out); });
@@ -88,6 +94,7 @@ public:
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
@@ -99,6 +106,7 @@ public:
 
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
@@ -115,24 +123,27 @@ public:
 
     void enforceLabelConnectivity(int min_element_size) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         checkSegmented();
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
-        if (result_.number == 0)
-            return;
-        const int before = result_.number;
-        guardMemory([&]()
-        {
-            const int64 whole = int64(100) * result_.number;
-            const int64 min_area = (int64(countNonZero(result_.labels >= 0)) * min_element_size + whole - 1) / whole;
-            result_.number = gws::mergeSmallRegions(result_.number, int(min_area), result_.labels);
-        });
-        if (result_.number < before)
-            result_.hierarchy = gws::MergeHierarchy();
+        const int64 whole = int64(100) * std::max(result_.number, 1);
+        int64 labelled = 0;
+        guardMemory([&]() { labelled = countNonZero(result_.labels >= 0); });
+        mergeBelow(int((labelled * min_element_size + whole - 1) / whole));
+    }
+
+    void mergeSmall(int min_area) CV_OVERRIDE
+    {
+        const gws::Writing use(in_use_);
+        checkSegmented();
+        CV_CheckGE(min_area, 0, "min_area must be 0 or more");
+        mergeBelow(min_area);
     }
 
     void mergeSimilar(int num_superpixels) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         checkSegmented();
         CV_CheckGE(num_superpixels, 1, "num_superpixels must be 1 or more");
         if (result_.number == 0)
@@ -149,9 +160,10 @@ public:
     void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
                        OutputArray mean_colors, OutputArray mean_depths) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         const Mat values = gws::checkValues(image, result_.labels.size());
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
+        const Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(stats, CV_32SC1, false, "stats");
         checkTable(centroids, CV_64FC1, false, "centroids");
         checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
@@ -171,20 +183,21 @@ public:
     void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
                       OutputArray contrasts) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         checkSegmented();
         const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
         if (image.empty() && !depth.empty())
             CV_Error(Error::StsBadArg, "depth must be empty where image is");
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
+        const Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(pairs, CV_32SC1, false, "pairs");
         checkTable(lengths, CV_32SC1, true, "lengths");
         checkTable(contrasts, CV_32FC1, true, "contrasts");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
-            const Mat color = values.empty() ? Mat() : gws::convertImage(values(result_.bounds), converted);
             const Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
             const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
+            const Mat color = values.empty() ? Mat() : convert(values(result_.bounds), mask_inside, converted);
             gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
                                scaleInside(depth_inside, mask_inside, scaled), result_.parameters.alphaWeight(),
                                tables[0], tables[1], tables[2]);
@@ -196,6 +209,7 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         guardMemory([&]()
         {
             const gws::Mask checked(gws::checkMask(mask));
@@ -206,43 +220,68 @@ public:
     }
     void setMarkers(InputArray markers) CV_OVERRIDE
     {
+        const gws::Writing use(in_use_);
         guardMemory([&]() { markers_ = gws::checkMarkers(markers).clone(); });
     }
 
-    void setAlgorithm(int algorithm) CV_OVERRIDE { parameters_.setAlgorithm(algorithm); }
-    int getAlgorithm() const CV_OVERRIDE { return parameters_.algorithm; }
-    void setRegionSize(int region_size) CV_OVERRIDE { parameters_.setRegionSize(region_size); }
-    int getRegionSize() const CV_OVERRIDE { return parameters_.region_size; }
-    void setDesiredSuperpixels(int number) CV_OVERRIDE { parameters_.setDesiredSuperpixels(number); }
-    int getDesiredSuperpixels() const CV_OVERRIDE { return parameters_.num_superpixels; }
-    void setRuler(float ruler) CV_OVERRIDE { parameters_.setRuler(ruler); }
-    float getRuler() const CV_OVERRIDE { return parameters_.ruler; }
-    void setAlpha(float alpha) CV_OVERRIDE { parameters_.setAlpha(alpha); }
-    float getAlpha() const CV_OVERRIDE { return parameters_.alpha; }
-    void setLabInput(bool uniform) CV_OVERRIDE { parameters_.lab_input = uniform; }
-    bool getLabInput() const CV_OVERRIDE { return parameters_.lab_input; }
-    void setTemporal(bool temporal) CV_OVERRIDE { parameters_.temporal = temporal; }
-    bool getTemporal() const CV_OVERRIDE { return parameters_.temporal; }
-    void setDepthRange(float first, float last) CV_OVERRIDE { parameters_.setDepthRange(first, last); }
-    float getNearDepth() const CV_OVERRIDE { return parameters_.near_depth; }
-    float getFarDepth() const CV_OVERRIDE { return parameters_.far_depth; }
-    void setBorderThreshold(float threshold) CV_OVERRIDE { parameters_.setBorderThreshold(threshold); }
-    float getBorderThreshold() const CV_OVERRIDE { return parameters_.border_threshold; }
+    void setAlgorithm(int algorithm) CV_OVERRIDE { Change(*this)->setAlgorithm(algorithm); }
+    int getAlgorithm() const CV_OVERRIDE { return parameters().algorithm; }
+    void setRegionSize(int region_size) CV_OVERRIDE { Change(*this)->setRegionSize(region_size); }
+    int getRegionSize() const CV_OVERRIDE { return parameters().region_size; }
+    void setDesiredSuperpixels(int number) CV_OVERRIDE { Change(*this)->setDesiredSuperpixels(number); }
+    int getDesiredSuperpixels() const CV_OVERRIDE { return parameters().num_superpixels; }
+    void setRuler(float ruler) CV_OVERRIDE { Change(*this)->setRuler(ruler); }
+    float getRuler() const CV_OVERRIDE { return parameters().ruler; }
+    void setAlpha(float alpha) CV_OVERRIDE { Change(*this)->setAlpha(alpha); }
+    float getAlpha() const CV_OVERRIDE { return parameters().alpha; }
+    void setLabInput(bool uniform) CV_OVERRIDE { Change(*this)->lab_input = uniform; }
+    bool getLabInput() const CV_OVERRIDE { return parameters().lab_input; }
+    void setTemporal(bool temporal) CV_OVERRIDE { Change(*this)->temporal = temporal; }
+    bool getTemporal() const CV_OVERRIDE { return parameters().temporal; }
+    void setValueRange(float low, float high) CV_OVERRIDE { Change(*this)->setValueRange(low, high); }
+    float getLowValue() const CV_OVERRIDE { return parameters().low_value; }
+    float getHighValue() const CV_OVERRIDE { return parameters().high_value; }
+    void setDepthRange(float first, float last) CV_OVERRIDE { Change(*this)->setDepthRange(first, last); }
+    float getNearDepth() const CV_OVERRIDE { return parameters().near_depth; }
+    float getFarDepth() const CV_OVERRIDE { return parameters().far_depth; }
+    void setBorderThreshold(float threshold) CV_OVERRIDE { Change(*this)->setBorderThreshold(threshold); }
+    float getBorderThreshold() const CV_OVERRIDE { return parameters().border_threshold; }
 
     void write(FileStorage& fs) const CV_OVERRIDE
     {
+        const gws::Reading use(in_use_);
         writeFormat(fs);
         parameters_.write(fs);
     }
-    void read(const FileNode& fn) CV_OVERRIDE { parameters_ = gws::Parameters::read(fn); }
-    void clear() CV_OVERRIDE { *this = SuperpixelGWatershedImpl(parameters_); }
-    bool empty() const CV_OVERRIDE { return result_.empty(); }
+    void read(const FileNode& fn) CV_OVERRIDE
+    {
+        const gws::Writing use(in_use_);
+        parameters_ = gws::Parameters::read(fn);
+    }
+    void clear() CV_OVERRIDE { const gws::Writing use(in_use_); *this = SuperpixelGWatershedImpl(parameters_); }
+    bool empty() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.empty(); }
     String getDefaultName() const CV_OVERRIDE { return "SuperpixelGWatershed"; }
 
 private:
+    //! The parameters, to be set while nobody else uses the object.
+    struct Change
+    {
+        explicit Change(SuperpixelGWatershedImpl& object) : use(object.in_use_), parameters(object.parameters_) {}
+        gws::Parameters* operator->() { return &parameters; }
+
+        const gws::Writing use;
+        gws::Parameters& parameters;
+    };
+
+    gws::Parameters parameters() const
+    {
+        const gws::Reading use(in_use_);
+        return parameters_;
+    }
+
     void checkSegmented() const
     {
-        if (empty())
+        if (result_.empty())
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
@@ -275,15 +314,22 @@ private:
         table.copyTo(copy);
     }
 
+    //! The image in 8 bits. What is outside of the mask has no influence on the range of values.
+    Mat convert(const Mat& image, const Mat& mask, Mat& buffer) const
+    {
+        const gws::FloatRange range = { result_.parameters.low_value, result_.parameters.high_value };
+        return gws::convertImage(image, mask, range, buffer);
+    }
+
     //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
     Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
     {
-        const float near_depth = result_.parameters.near_depth, far_depth = result_.parameters.far_depth;
+        const gws::FloatRange range = { result_.parameters.near_depth, result_.parameters.far_depth };
         if (depth.empty() || mask.empty())
-            return gws::scaleDepth(depth, near_depth, far_depth, buffer);
+            return gws::scaleDepth(depth, range, buffer);
         Mat inside(depth.size(), depth.type(), Scalar(0));
         depth.copyTo(inside, mask);
-        return gws::scaleDepth(inside, near_depth, far_depth, buffer);
+        return gws::scaleDepth(inside, range, buffer);
     }
 
     void checkMaps(Size size) const
@@ -323,7 +369,7 @@ private:
         frame.num_pixels = mask_.empty() ? bounds.area() : mask_.area;
         if (frame.num_pixels < bounds.area())
             frame.mask = mask_.pixels(bounds);
-        frame.color = gws::convertImage(image, converted_);
+        frame.color = convert(image, frame.mask, converted_);
         frame.depth = scaleInside(depth, frame.mask, scaled_);
         frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
         if (!markers_.empty())
@@ -357,6 +403,16 @@ private:
             last_ = now;
     }
 
+    void mergeBelow(int min_area)
+    {
+        if (result_.number == 0)
+            return;
+        const int before = result_.number;
+        guardMemory([&]() { result_.number = gws::mergeSmallRegions(before, min_area, result_.labels); });
+        if (result_.number < before)
+            result_.hierarchy = gws::MergeHierarchy();
+    }
+
     void buildHierarchy(const Mat& labels)
     {
         const gws::Parameters& used = result_.parameters;
@@ -365,6 +421,7 @@ private:
         result_.hierarchy.build(features, gws::floodDistance(used.alpha, true), labels, result_.number);
     }
 
+    gws::InUse in_use_;
     gws::Parameters parameters_;
     Mat image_, depth_; // copies of what the factory was given
     gws::Mask mask_;    // copies of what was set
@@ -387,8 +444,8 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
 {
     CV_CheckGE(image_width, 1, "image_width must be 1 or more");
     CV_CheckGE(image_height, 1, "image_height must be 1 or more");
-    CV_Check(image_channels, image_channels == 1 || image_channels == 3 || image_channels == 4,
-             "image_channels must be 1, 3 or 4");
+    CV_Check(image_channels, image_channels >= 1 && image_channels <= gws::MAX_CHANNELS,
+             "image_channels must be 1 to 4");
     gws::checkSize(image_width, image_height);
     gws::Parameters parameters;
     parameters.setDesiredSuperpixels(num_superpixels);
@@ -422,10 +479,14 @@ static Ptr<SuperpixelGWatershed> createForImage(const Mat& image, const Mat& dep
     return gws;
 }
 
+//! @note In Python, None is the number 0: it stands for no depth here, and the arguments are those after it.
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, int algorithm, int region_size,
                                                      float ruler)
 {
-    return createForImage(gws::checkImage(image), Mat(), algorithm, region_size, ruler, gws::Parameters().alpha);
+    const bool is_shifted = algorithm == 0 && (region_size == GWATERSHED || region_size == RGWATERSHED);
+    if (is_shifted)
+        return createSuperpixelGWatershed(image, noArray(), region_size, saturate_cast<int>(ruler));
+    return createSuperpixelGWatershed(image, noArray(), algorithm ? algorithm : int(RGWATERSHED), region_size, ruler);
 }
 
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, InputArray depth, int algorithm,

@@ -17,7 +17,8 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_images_and_stays_usable)
     const Mat before = labelsOf(gws);
 
     const int cube[] = { 4, 5, 6 };
-    const int wrong_types[] = { CV_8UC2, CV_8UC(5), CV_64FC1, CV_32SC3, CV_8SC1, CV_16SC3 };
+    const int wrong_images[] = { CV_8UC(5), CV_32FC(6) };
+    const int wrong_depths[] = { CV_8UC2, CV_8UC(5), CV_64FC2, CV_32SC1, CV_8SC1, CV_16SC3 };
     EXPECT_TRUE(isRefused([&] { gws->iterate(Mat()); }, "image must not be empty"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(noArray()); }, "image must not be empty"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(Mat(3, cube, CV_8UC1, Scalar(0))); }, "image must have two dimensions"));
@@ -27,12 +28,10 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_images_and_stays_usable)
                           "image must be one Mat"));
     EXPECT_TRUE(isRefused([&] { gws->setMask(std::vector<std::vector<uchar> >(3, std::vector<uchar>(4))); },
                           "mask must be one Mat"));
-    for (int i = 0; i < 6; i++)
-    {
-        EXPECT_TRUE(isRefused([&] { gws->iterate(Mat(40, 60, wrong_types[i])); }, "image must"));
-        EXPECT_TRUE(isRefused([&] { gws->iterate(image, Mat(40, 60, wrong_types[i])); }, "depth must be"));
-    }
-    EXPECT_TRUE(isRefused([&] { gws->iterate(image, Mat()); }, "depth must not be empty"));
+    for (int type : wrong_images)
+        EXPECT_TRUE(isRefused([&] { gws->iterate(Mat(40, 60, type)); }, "image must"));
+    for (int type : wrong_depths)
+        EXPECT_TRUE(isRefused([&] { gws->iterate(image, Mat(40, 60, type)); }, "depth must be"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(image, image); }, "depth must be"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(image, depth.rowRange(1, 40)); }, "depth must have the size of image"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(image, Mat(3, cube, CV_16UC1, Scalar(0))); },
@@ -180,7 +179,7 @@ TEST(ximgproc_SuperpixelGWatershed, factories_refuse_wrong_arguments)
     const int a = GWATERSHED;
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(0, 10, 3, 5, a); }, "image_width"));
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(10, -1, 3, 5, a); }, "image_height"));
-    EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(10, 10, 2, 5, a); }, "image_channels"));
+    EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(10, 10, 5, 5, a); }, "image_channels"));
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(10, 10, 3, 0, a); }, "num_superpixels"));
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(65536, 65536, 3, 5, a); }, "pixels"));
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(10, 10, 3, 5, 7); }, "algorithm"));
@@ -208,8 +207,8 @@ TEST(ximgproc_SuperpixelGWatershed, tables_are_refused_for_images_of_another_siz
     EXPECT_TRUE(isRefused([&] { gws->getStatistics(image, image, tables[0], tables[1]); }, "depth must be"));
     EXPECT_TRUE(isRefused([&] { gws->getAdjacency(wrong, noArray(), tables[0], tables[1]); },
                           "image must have the size"));
-    EXPECT_TRUE(isRefused([&] { gws->getAdjacency(Mat(image.size(), CV_64FC3), noArray(), tables[0], tables[1]); },
-                          "image must be"));
+    EXPECT_TRUE(isRefused([&] { gws->getAdjacency(Mat(image.size(), CV_64FC(5)), noArray(), tables[0], tables[1]); },
+                          "image must have"));
     const Mat deep(image.size(), CV_16UC1);
     EXPECT_TRUE(isRefused([&] { gws->getAdjacency(noArray(), deep, tables[0], tables[1], tables[2]); }, "depth"));
     EXPECT_TRUE(isRefused([&] { gws->mergeSimilar(0); }, "num_superpixels"));

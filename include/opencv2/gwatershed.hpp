@@ -7,6 +7,8 @@
 
 #include "opencv2/core.hpp"
 
+#include <algorithm>
+#include <climits>
 #include <type_traits>
 
 /**
@@ -72,28 +74,30 @@ image, the depth and the parameters only: it is the same for any number of threa
 submatrix and its clone. Exceptions, each described with its method: pixels without a label, which are -1
 (setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
 
-**Images** are 8-bit, 16-bit unsigned or 32-bit float, with 1, 3 or 4 channels, as Mat or UMat. The fourth
-channel is ignored. White is 255, 65535 or 1.0; larger values count as white, NaN as black. The image is reduced
-to 8 bits, so stretch an image that uses only a small part of its range. Three channels are BGR: RGWATERSHED
+**Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
+The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED
 converts them itself, so give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the
-channels as they are. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
+channels as they are. Two channels count alike. If there are more, choose some by cv::extractChannel(), or reduce
+them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
 
-**Depth** is CV_16UC1 (usually in millimetres), CV_32FC1 (usually in metres) or CV_8UC1 (already scaled), of the
-size of the image. Depth is missing where it is 0 and, in float, where it is negative, infinite or NaN; there
-colour alone counts. Depth that is missing everywhere, or the same everywhere, changes nothing. See
-setDepthRange() and setAlpha().
+**Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
+CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
+negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else. Read
+depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give it, is 0 where it is farthest, so add 1 to it.
+Depth that is missing everywhere, or the same everywhere, changes nothing. See setDepthRange() and setAlpha().
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
 and empty() returns true. The object can be used again in both cases. Input images are never written to. In
-Python None stands for the default of a number: `iterate(None)` is `iterate()`, so check what imread() returned.
+Python None for depth is no depth. None for a number is its default, and throws if there is none: `iterate(None)` is
+`iterate()`, so check what imread() returned.
 
 **Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. An output with one row or one
 column may also be a std::vector of that type.
 
 **Threads.** Most steps run under cv::parallel_for_. The flood of GWATERSHED runs on the calling thread, and so
 does that of RGWATERSHED with a mask or with user markers. Different objects can be used in different threads at
-the same time. One object can not, except for its const methods.
+the same time. One object can not, except for its const methods: the second call throws cv::Exception.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws, and changes nothing, if one
 of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
@@ -140,7 +144,8 @@ public:
     /** @overload
     @brief Segments another image with its depth.
     @param image Image to segment. It is not kept.
-    @param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image. It is not kept.
+    @param depth Depth map of the size of the image, of a type named above. It is not kept. Empty (noArray(), None in
+    Python): colour alone.
     @param num_iterations Number of iterations, 1 or more.
     */
     CV_WRAP virtual void iterate(InputArray image, InputArray depth, int num_iterations = 1) = 0;
@@ -186,6 +191,11 @@ public:
     */
     CV_WRAP virtual void enforceLabelConnectivity(int min_element_size = 25) = 0;
 
+    /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
+
+    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is. */
+    CV_WRAP virtual void mergeSmall(int min_area) = 0;
+
     //! @name After the segmentation
     //! @{
 
@@ -227,13 +237,14 @@ public:
 
     @param image Image of the size of the label map, of any type: the one that was segmented, or another one,
     such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
-    @param depth CV_8UC1, CV_16UC1 or CV_32FC1 depth map of the same size. Empty: no mean depths.
+    @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
     @param stats N x 5 CV_32SC1, one row for each superpixel, in pixels. The columns are those of
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
     @param centroids N x 2 CV_64FC1, x and y in pixels.
-    @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image.
-    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels whose depth is finite and above 0.
-    NaN if there are none.
+    @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image, over its finite values.
+    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels whose depth is not missing and finite.
+
+    A mean is NaN if there is nothing to take it from.
 
     A table without rows is None in Python. Throws cv::Exception before the first iterate().
     */
@@ -272,9 +283,9 @@ public:
     whichever is larger. Labels follow the order of the components; components too small for a block come last.
     If the mask is zero everywhere, N = 0.
 
-    @param mask CV_8UC1, non-zero inside (in Python, `inside.astype(np.uint8)` for a boolean array), or empty
-    for no mask. It is copied, and kept until the next setMask() or clear(). iterate() throws if its size is not
-    that of the image.
+    @param mask CV_8UC1, or CV_BoolC1 in OpenCV 5, non-zero inside, or empty for no mask. Before OpenCV 5, in Python,
+    give `inside.astype(np.uint8)` of a boolean array. It is copied, and kept until the next setMask() or clear().
+    iterate() throws if its size is not that of the image.
     */
     CV_WRAP virtual void setMask(InputArray mask) = 0;
 
@@ -300,14 +311,14 @@ public:
 
     /** @brief Sets the algorithm.
     @param algorithm One of #GWatershedType. Default RGWATERSHED. */
-    CV_WRAP virtual void setAlgorithm(int algorithm) = 0;
+    CV_WRAP virtual void setAlgorithm(int algorithm = RGWATERSHED) = 0;
     /** @brief The algorithm, one of #GWatershedType. @see setAlgorithm */
     CV_WRAP virtual int getAlgorithm() const = 0;
 
     /** @brief Asks for superpixels of a mean size; replaces setDesiredSuperpixels().
     @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. The
     number of superpixels is W * H / region_size^2, rounded, and at least 1. */
-    CV_WRAP virtual void setRegionSize(int region_size) = 0;
+    CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
     /** @brief Region size in pixels, or 0 if a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
 
@@ -325,7 +336,7 @@ public:
     GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
-    CV_WRAP virtual void setRuler(float ruler) = 0;
+    CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
     /** @brief The compactness. @see setRuler */
     CV_WRAP virtual float getRuler() const = 0;
 
@@ -338,7 +349,7 @@ public:
     depth can be compared.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
-    CV_WRAP virtual void setAlpha(float alpha) = 0;
+    CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
     /** @brief The weight of colour against depth. @see setAlpha */
     CV_WRAP virtual float getAlpha() const = 0;
 
@@ -370,14 +381,35 @@ public:
     /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
 
+    /** @brief Sets the range of values that becomes 0 to 255, for images that do not have 8 bits.
+
+    The map is the same for all channels, so that distances stay in proportion. 8-bit images are taken as they are.
+
+    @param low_value Value that becomes 0. Lower values and NaN become 0, too.
+    @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
+    the default, for the usual range of the type: 0 to 65535 for CV_16U, -128 to 127 for CV_8S, 0 to 1 for floats.
+    If the image does not lie in it, but for one finite value in 1000, or spans less than a sixteenth of it, and for
+    CV_16S and CV_32S always, it is the range of the frame: from the lowest to the highest finite value, without one
+    value in 1000 at each end, of a sample if the image is large.
+    @note The range of a frame changes from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
+    */
+    CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
+    /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getLowValue() const = 0;
+    /** @brief The value that becomes 255, or 0 if the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getHighValue() const = 0;
+
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
-    With a fixed range the scale is the same for all frames. CV_8UC1 depth is not scaled.
+    With a fixed range the scale is the same for all frames, so set it for a video.
 
     @param near_depth Depth that becomes 1, in the unit of the depth map. Nearer depth becomes 1, too.
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth,
-    finite; or both 0, the default, for the range of the frame: from the 1st to the 99th percentile of a regular
-    sample of its valid depths, or from their minimum to their maximum if these percentiles are equal. */
+    finite; or both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its
+    valid depths, or from their minimum to their maximum if these percentiles are equal. Percentiles are those of a
+    sample if the frame is large. If a gap without depths takes seven eighths of that range, because a part of the
+    frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
+    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
@@ -392,7 +424,7 @@ public:
     as for cv::Canny with L2gradient; with depth it is weighted by alpha. 0 or more, finite; 0 means no borders.
     Default 150: without borders the flood crosses strong edges early, while pixels of lower priority still
     wait, and misses half of the edges. */
-    CV_WRAP virtual void setBorderThreshold(float border_threshold) = 0;
+    CV_WRAP virtual void setBorderThreshold(float border_threshold = 150.0f) = 0;
     /** @brief The gradient from which a pixel is a border, or 0 for none. @see setBorderThreshold */
     CV_WRAP virtual float getBorderThreshold() const = 0;
 
@@ -405,7 +437,7 @@ Buffers are allocated for that size. Images of another size or number of channel
 
 @param image_width Width of the images to come in pixels, 1 or more.
 @param image_height Height in pixels, 1 or more.
-@param image_channels Number of channels: 1, 3 or 4.
+@param image_channels Number of channels, 1 to 4.
 @param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setDesiredSuperpixels.
 @param algorithm One of #GWatershedType.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
@@ -414,16 +446,29 @@ CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
         int image_width, int image_height, int image_channels, int num_superpixels,
         int algorithm = RGWATERSHED, float ruler = 10.0f);
 
+//! For numbers of other types, such as size_t. Fractions, and what is beyond the range of int, are cut off.
+template <typename Width, typename Height, typename Channels, typename Number>
+inline typename std::enable_if<std::is_arithmetic<Width>::value && std::is_arithmetic<Height>::value &&
+                               std::is_arithmetic<Channels>::value && std::is_arithmetic<Number>::value,
+                               Ptr<SuperpixelGWatershed> >::type
+createSuperpixelGWatershed(Width image_width, Height image_height, Channels image_channels, Number num_superpixels,
+                           int algorithm = RGWATERSHED, float ruler = 10.0f)
+{
+    const auto cut = [](double value) { return int(std::min(std::max(double(INT_MIN), value), double(INT_MAX))); };
+    return createSuperpixelGWatershed(cut(double(image_width)), cut(double(image_height)),
+                                      cut(double(image_channels)), cut(double(num_superpixels)), algorithm, ruler);
+}
+
 /** @overload
 @brief Makes an object for an image, as createSuperpixelSLIC() does.
 
 @param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
-@param algorithm One of #GWatershedType.
+@param algorithm One of #GWatershedType, or 0 for the default.
 @param region_size Mean side of a superpixel in pixels. See SuperpixelGWatershed::setRegionSize.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, int algorithm = RGWATERSHED, int region_size = 10, float ruler = 10.0f);
+        InputArray image, int algorithm, int region_size = 10, float ruler = 10.0f);
 
 //! Accepts a ruler of another type, such as the integer 10, without a conversion by hand.
 template <typename Ruler>
@@ -437,14 +482,14 @@ createSuperpixelGWatershed(InputArray image, int algorithm, int region_size, Rul
 @brief Makes an object for an image with depth.
 
 @param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
-@param depth CV_16UC1, CV_32FC1 or CV_8UC1 depth map of the size of the image; a copy is kept, too.
+@param depth Depth map of the size of the image, or empty if there is none; a copy is kept, too.
 @param algorithm One of #GWatershedType.
 @param region_size Mean side of a superpixel in pixels. See SuperpixelGWatershed::setRegionSize.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 @param alpha Weight of colour against depth. See SuperpixelGWatershed::setAlpha.
 */
 CV_EXPORTS_W Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
-        InputArray image, InputArray depth, int algorithm = RGWATERSHED, int region_size = 10,
+        InputArray image, InputArray depth = noArray(), int algorithm = RGWATERSHED, int region_size = 10,
         float ruler = 10.0f, float alpha = 0.5f);
 
 //! @}

@@ -49,7 +49,8 @@ class StripeSums
 public:
     StripeSums(int num_labels, const Mat& image, const Mat& depth)
         : image_(image), depth_(depth), channels_(image.empty() ? 0 : image.channels()), extents_(num_labels),
-          colors_(size_t(num_labels) * channels_, 0.), depths_(depth.empty() ? 0 : num_labels, 0.),
+          colors_(size_t(num_labels) * channels_, 0.), color_areas_(isFloat(image) ? colors_.size() : 0, 0),
+          no_depth_(depth.depth() == CV_16U ? USHRT_MAX : 0), depths_(depth.empty() ? 0 : num_labels, 0.),
           depth_areas_(depths_.size(), 0)
     {
     }
@@ -86,6 +87,8 @@ public:
             extents_[i].add(s.extents_[i]);
         for (size_t i = 0; i < colors_.size(); i++)
             colors_[i] += s.colors_[i];
+        for (size_t i = 0; i < color_areas_.size(); i++)
+            color_areas_[i] += s.color_areas_[i];
         for (size_t i = 0; i < depths_.size(); i++)
         {
             depths_[i] += s.depths_[i];
@@ -111,30 +114,52 @@ public:
             centroids.at<double>(i, 0) = e.x / e.area;
             centroids.at<double>(i, 1) = e.y / e.area;
             for (int k = 0; k < channels_; k++)
-                mean_colors.at<float>(i, k) = float(colors_[size_t(i) * channels_ + k] / e.area);
+            {
+                const size_t j = size_t(i) * channels_ + k;
+                mean_colors.at<float>(i, k) = meanOf(colors_[j], color_areas_.empty() ? e.area : color_areas_[j]);
+            }
             if (!depths_.empty())
-                mean_depths.at<float>(i) = depth_areas_[i] ? float(depths_[i] / depth_areas_[i])
-                                                           : std::numeric_limits<float>::quiet_NaN();
+                mean_depths.at<float>(i) = meanOf(depths_[i], depth_areas_[i]);
         }
     }
 
 private:
+    static bool isFloat(const Mat& image)
+    {
+        return image.depth() == CV_32F || image.depth() == CV_64F || image.depth() == CV_16F;
+    }
+
+    //! NaN where there is no value.
+    static float meanOf(double sum, int count)
+    {
+        return count ? float(sum / count) : std::numeric_limits<float>::quiet_NaN();
+    }
+
     void addColors(const double* row, int first, int end, int label)
     {
-        double* sums = &colors_[size_t(label) * channels_];
+        const size_t begin = size_t(label) * channels_;
         for (int k = 0; k < channels_; k++)
         {
+            const double* values = row + k;
             double sum = 0;
+            int finite = 0;
             for (int x = first; x < end; x++)
-                sum += row[size_t(x) * channels_ + k];
-            sums[k] += sum;
+            {
+                const double value = values[size_t(x) * channels_];
+                const bool is_finite = std::abs(value) <= DBL_MAX;
+                sum += is_finite ? value : 0;
+                finite += is_finite;
+            }
+            colors_[begin + k] += sum;
+            if (!color_areas_.empty())
+                color_areas_[begin + k] += finite;
         }
     }
 
     void addDepths(const double* row, int first, int end, int label)
     {
         for (int x = first; x < end; x++)
-            if (isValidDepth(row[x]))
+            if (isValidDepth(row[x]) && row[x] != no_depth_)
             {
                 depths_[label] += row[x];
                 depth_areas_[label]++;
@@ -145,6 +170,8 @@ private:
     const int channels_;
     std::vector<Extent> extents_;
     std::vector<double> colors_; // channels of a superpixel side by side
+    std::vector<int> color_areas_; // finite values of floats; empty where all values are finite
+    const double no_depth_;        // stands for a depth that is missing
     std::vector<double> depths_;
     std::vector<int> depth_areas_;
 };

@@ -13,7 +13,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! All that a call decides before it looks at a pixel.
-struct CV_EXPORTS Plan
+struct Plan
 {
     //! masks are those of the frame, built up to MAX_LEVEL, or not used if the frame has no mask.
     Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks);
@@ -29,7 +29,7 @@ struct CV_EXPORTS Plan
     float ruler;
     int length_exponent;    //!< of merging, in 1/16
     RegionDistance flood_distance;       //!< leads in finding regions
-    BoundaryEnergy energy_before_merging, energy; //!< lead in settling boundaries
+    SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
 };
 
 }}} // namespace

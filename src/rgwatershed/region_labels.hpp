@@ -9,11 +9,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels of blocks of 2x2 pixels to the pixels.
+//! Labels of blocks of 2x2 pixels to some rows of the pixels.
+void doubleLabels(const Padded<int>& labels, const Range& rows, Padded<int>& doubled);
+
+//! The same for an image of a size.
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
-CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
 //! The pixels inside of the mask that have no label become UNSEEN.
 void openUnlabelled(const Mat& mask, Padded<int>& labels);

@@ -10,7 +10,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Divides the image into a grid of num_markers cells and places one marker in each. num_markers <= pixels.
-CV_EXPORTS void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
@@ -26,7 +26,7 @@ inline MarkerBand wholeBand(Size size, int num_markers)
 }
 
 //! Divides the grid into bands of whole rows of cells, each at least `height` pixels high if the image is.
-CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace
 

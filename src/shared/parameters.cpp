@@ -39,6 +39,15 @@ void Parameters::setAlpha(float value)
     alpha = value;
 }
 
+void Parameters::setValueRange(float low, float high)
+{
+    CV_Check(low, low >= -FLT_MAX && low <= FLT_MAX, "low_value must be finite");
+    CV_Check(high, (high > low && high <= FLT_MAX) || (low == 0 && high == 0),
+             "high_value must be larger than low_value, and finite, or both 0");
+    low_value = low;
+    high_value = high;
+}
+
 void Parameters::setDepthRange(float first, float last)
 {
     CV_Check(first, first >= 0 && first <= FLT_MAX, "near_depth must be 0 or more, and finite");
@@ -63,6 +72,8 @@ void Parameters::write(FileStorage& fs) const
        << "alpha" << alpha
        << "lab_input" << int(lab_input)
        << "temporal" << int(temporal)
+       << "low_value" << low_value
+       << "high_value" << high_value
        << "near_depth" << near_depth
        << "far_depth" << far_depth
        << "border_threshold" << border_threshold;
@@ -99,6 +110,7 @@ Parameters Parameters::read(const FileNode& fn)
     parameters.setAlpha(readValue<float>(fn, "alpha"));
     parameters.lab_input = readInteger(fn, "lab_input") != 0;
     parameters.temporal = readInteger(fn, "temporal") != 0;
+    parameters.setValueRange(readValue<float>(fn, "low_value"), readValue<float>(fn, "high_value"));
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;

@@ -9,25 +9,28 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The parameters of SuperpixelGWatershed. A setter throws on a wrong value, and then changes nothing.
+//! The parameters of SuperpixelGWatershed. Setters throw, and change nothing, on a wrong value.
 struct Parameters
 {
     int algorithm = RGWATERSHED;
-    int region_size = 10;   //!< 0 if num_superpixels is used
-    int num_superpixels = 0; //!< 0 if region_size is used
+    int region_size = 10;   //!< 0: num_superpixels rules
+    int num_superpixels = 0;
     float ruler = 10.f;
     float alpha = 0.5f;
     bool lab_input = false;
     bool temporal = false;
-    float near_depth = 0;   //!< both are 0 if the range is taken from the frame
+    float low_value = 0;    //!< both 0: the range of values comes from the image
+    float high_value = 0;
+    float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
-    float border_threshold = 150; //!< found by measurement, see doc/log.md; 0 means no borders
+    float border_threshold = 150; //!< measured, see doc/log.md; 0: none
 
     void setAlgorithm(int value);
     void setRegionSize(int value);
     void setDesiredSuperpixels(int value);
     void setRuler(float value);
     void setAlpha(float value);
+    void setValueRange(float low, float high);
     void setDepthRange(float first, float last);
     void setBorderThreshold(float value);
 

@@ -39,8 +39,8 @@ bool same(const Mat& a, const Mat& b)
 Settings settingsOf(const SuperpixelGWatershed& gws)
 {
     const Settings settings = { gws.getAlgorithm(), gws.getRegionSize(), gws.getDesiredSuperpixels(), gws.getRuler(),
-                                gws.getAlpha(), gws.getLabInput(), gws.getTemporal(), gws.getNearDepth(),
-                                gws.getFarDepth(), gws.getBorderThreshold() };
+                                gws.getAlpha(), gws.getLabInput(), gws.getTemporal(), gws.getLowValue(),
+                                gws.getHighValue(), gws.getNearDepth(), gws.getFarDepth(), gws.getBorderThreshold() };
     return settings;
 }
 
@@ -48,7 +48,8 @@ bool operator==(const Settings& a, const Settings& b)
 {
     return a.algorithm == b.algorithm && a.region_size == b.region_size && a.num_superpixels == b.num_superpixels &&
            a.ruler == b.ruler && a.alpha == b.alpha && a.lab_input == b.lab_input &&
-           a.temporal == b.temporal && a.near_depth == b.near_depth && a.far_depth == b.far_depth &&
+           a.temporal == b.temporal && a.low_value == b.low_value && a.high_value == b.high_value &&
+           a.near_depth == b.near_depth && a.far_depth == b.far_depth &&
            a.border_threshold == b.border_threshold;
 }
 
@@ -57,6 +58,8 @@ bool inRange(const Settings& s)
     return (s.algorithm == cv::ximgproc::GWATERSHED || s.algorithm == cv::ximgproc::RGWATERSHED) &&
            ((s.region_size >= 1 && s.num_superpixels == 0) || (s.region_size == 0 && s.num_superpixels >= 1)) &&
            s.ruler >= 0 && s.ruler <= FLT_MAX && s.alpha >= 0 && s.alpha <= 1 &&
+           ((s.low_value == 0 && s.high_value == 0) || s.low_value < s.high_value) && s.low_value >= -FLT_MAX &&
+           s.high_value <= FLT_MAX &&
            ((s.near_depth == 0 && s.far_depth == 0) || (s.near_depth >= 0 && s.near_depth < s.far_depth)) &&
            s.far_depth <= FLT_MAX && s.border_threshold >= 0 && s.border_threshold <= FLT_MAX;
 }
@@ -287,6 +290,16 @@ void checkMergedNumber(const Partition& before, int wanted, const Partition& aft
             "mergeSimilar() reaches its number");
 }
 
+void checkAreaMerged(const Partition& before, int min_area, const Partition& after)
+{
+    if (min_area <= 1)
+        require(same(before.labels, after.labels), "no superpixel has less than a pixel");
+    const std::vector<int> areas = areasOf(after);
+    for (const auto& pair : findLengths(after.labels))
+        require(areas[pair.first.first] >= min_area && areas[pair.first.second] >= min_area,
+                "superpixels with neighbours have the area in pixels");
+}
+
 void checkSmallMerged(const Partition& before, int percent, const Partition& after)
 {
     if (percent == 0)
@@ -320,7 +333,7 @@ static Means measureMeans(const Partition& partition, const Mat& values, int cha
         {
             const int label = partition.labels.at<int>(y, x);
             const double value = values.ptr<double>(y, x)[channel];
-            if (label < 0 || (valid_only && !(value > 0 && value <= FLT_MAX)))
+            if (label < 0 || !(std::abs(value) <= DBL_MAX) || (valid_only && !(value > 0 && value <= FLT_MAX)))
                 continue;
             m.means[label] += value;
             m.magnitudes[label] += std::abs(value);
@@ -385,7 +398,11 @@ void checkStatistics(const SuperpixelGWatershed& gws, const Mat& image, const Ma
     Mat values;
     depth.convertTo(values, CV_64F);
     if (!depth.empty())
+    {
+        if (depth.depth() == CV_16U)
+            values.setTo(Scalar(0), depth == 65535);
         checkMeans(measureMeans(partition, values, 0, true), depths);
+    }
     image.convertTo(values, CV_64F);
     for (int k = 0; k < colors.cols; k++)
         checkMeans(measureMeans(partition, values, k, false), colors.col(k));

@@ -36,7 +36,7 @@ struct Settings
     int algorithm, region_size, num_superpixels;
     float ruler, alpha;
     bool lab_input, temporal;
-    float near_depth, far_depth, border_threshold;
+    float low_value, high_value, near_depth, far_depth, border_threshold;
 };
 
 Settings settingsOf(const SuperpixelGWatershed& gws);
@@ -65,6 +65,8 @@ void checkMerged(const Partition& fine, const Partition& coarse);
 void checkMergedNumber(const Partition& before, int wanted, const Partition& after);
 //! What is smaller than the percentage of the mean area has no neighbour.
 void checkSmallMerged(const Partition& before, int percent, const Partition& after);
+//! After mergeSmall().
+void checkAreaMerged(const Partition& before, int min_area, const Partition& after);
 
 //! getStatistics(); the image or the depth may be empty.
 void checkStatistics(const SuperpixelGWatershed& gws, const Mat& image, const Mat& depth);

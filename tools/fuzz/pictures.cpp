@@ -176,7 +176,7 @@ static void writeSpecials(Mat& floats, Bytes& bytes)
 
 static Mat makeWrong(Size size, Bytes& bytes)
 {
-    const int types[] = { CV_8SC1, CV_16SC3, CV_32SC1, CV_64FC1, CV_8UC2, CV_8UC(5), CV_16UC2, CV_32FC2, CV_64FC3 };
+    const int types[] = { CV_8SC1, CV_16SC3, CV_32SC1, CV_64FC1, CV_8UC2, CV_8UC(5), CV_16UC(7), CV_32FC2, CV_64FC3 };
     if (oneIn(4, bytes))
         return Mat();
     const int sides[] = { 2, 3, 4 };
@@ -191,20 +191,23 @@ Mat makeImage(const Mat& scene, Bytes& bytes)
 {
     if (oneIn(32, bytes))
         return makeWrong(scene.size(), bytes);
-    const int depth = bytes.PickValueInArray({ CV_8U, CV_8U, CV_16U, CV_32F });
-    const int channels = bytes.PickValueInArray({ 3, 3, 3, 1, 4 });
+    const int depth = bytes.PickValueInArray({ CV_8U, CV_8U, CV_16U, CV_32F, CV_8S, CV_16S, CV_32S, CV_64F });
+    const int channels = bytes.PickValueInArray({ 3, 3, 3, 1, 4, 2 });
     Mat image = scene;
     if (channels == 1)
         cv::extractChannel(scene, image, 1);
-    if (channels == 4)
+    if (channels == 2 || channels == 4)
     {
         std::vector<Mat> planes;
         cv::split(scene, planes);
         planes.push_back(planes[takeUpTo(2, bytes)]);
+        planes.resize(channels, planes[3]);
         cv::merge(planes, image);
     }
+    const double usual = depth == CV_8U ? 255 : depth == CV_16U ? 65535 : depth == CV_32F || depth == CV_64F ? 1 : 127;
+    const double span = oneIn(2, bytes) ? usual : bytes.PickValueInArray({ 4095., 300., 1e9, 1e30, 1e-30 });
     Mat converted;
-    image.convertTo(converted, depth, depth == CV_8U ? 255 : depth == CV_16U ? 65535 : 1);
+    image.convertTo(converted, depth, span, bytes.PickValueInArray({ 0., 0., 7000., -1000., -0.5 }));
     if (depth == CV_32F && oneIn(3, bytes))
         writeSpecials(converted, bytes);
     return converted;
@@ -213,8 +216,17 @@ Mat makeImage(const Mat& scene, Bytes& bytes)
 bool isImage(const Mat& image)
 {
     const int depth = image.depth(), channels = image.channels();
-    return !image.empty() && image.dims == 2 && (depth == CV_8U || depth == CV_16U || depth == CV_32F) &&
-           (channels == 1 || channels == 3 || channels == 4);
+    return !image.empty() && image.dims == 2 && depth <= CV_16F && channels <= 4;
+}
+
+//! Keeps one depth in each square of a few pixels.
+static void keepLattice(Mat& depth, Bytes& bytes)
+{
+    const int step = 2 + takeUpTo(3, bytes), left = takeUpTo(step - 1, bytes), top = takeUpTo(step - 1, bytes);
+    for (int y = 0; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+            if (x % step != left || y % step != top)
+                depth.at<float>(y, x) = 0;
 }
 
 Mat makeDepth(const Mat& scene, Bytes& bytes)
@@ -233,14 +245,24 @@ Mat makeDepth(const Mat& scene, Bytes& bytes)
         takeRandom(bytes).fill(share, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(8));
         depth.setTo(Scalar(0), share < takeUpTo(8, bytes));
     }
+    if (oneIn(4, bytes))
+        keepLattice(depth, bytes);
+    if (oneIn(4, bytes)) // a value that stands for none
+        depth(takeBox(size, bytes)).setTo(Scalar(bytes.PickValueInArray({ 1., 20., 1000., 1e-3, double(INFINITE) })));
     Mat converted;
-    switch (takeUpTo(3, bytes))
+    switch (takeUpTo(5, bytes))
     {
     case 0:
         depth.convertTo(converted, CV_8U, 255);
         break;
     case 1:
         depth.convertTo(converted, CV_16U, bytes.PickValueInArray({ 65535, 5000, 3 }));
+        break;
+    case 2:
+        depth.convertTo(converted, CV_16S, bytes.PickValueInArray({ 32767, 1000 }), -16);
+        break;
+    case 3:
+        depth.convertTo(converted, CV_64F, bytes.PickValueInArray({ 8., 1e200, 1e-200 }));
         break;
     default:
         depth.convertTo(converted, CV_32F, bytes.PickValueInArray({ 8., 8., 1e30, 1e-40 }));
@@ -253,8 +275,9 @@ Mat makeDepth(const Mat& scene, Bytes& bytes)
 bool isDepth(const Mat& depth, Size size)
 {
     const int type = depth.type();
-    return !depth.empty() && depth.dims == 2 && depth.size() == size &&
-           (type == CV_8UC1 || type == CV_16UC1 || type == CV_32FC1);
+    return depth.empty() || (depth.dims == 2 && depth.size() == size &&
+                             (type == CV_8UC1 || type == CV_16UC1 || type == CV_16SC1 || type == CV_32FC1 ||
+                              type == CV_64FC1));
 }
 
 Mat makeValues(Size size, Bytes& bytes)

@@ -109,18 +109,17 @@ void Session::create()
 {
     scene_ = makeScene(takeSize(max_pixels_, bytes_), bytes_);
     const int algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), int(RGWATERSHED),
-                                                    oneIn(32, bytes_) ? 0 : int(RGWATERSHED) });
+                                                    oneIn(32, bytes_) ? 199 : int(RGWATERSHED) });
     const bool is_algorithm = algorithm == GWATERSHED || algorithm == RGWATERSHED;
     const float ruler = takeFloat(40, bytes_);
     const bool is_ruler = ruler >= 0 && ruler <= FLT_MAX;
     const int number = takeInt(200, bytes_);
     if (oneIn(3, bytes_))
     {
-        const int channels = bytes_.PickValueInArray({ 1, 3, 3, 3, 4, 2, 0, -1 });
-        const int edges[] = { 0, -1, INT_MIN, INT_MAX };
-        const int width = oneIn(16, bytes_) ? bytes_.PickValueInArray(edges) : scene_.cols;
+        const int channels = bytes_.PickValueInArray({ 1, 3, 3, 3, 4, 2, 0, 5 });
+        const int width = oneIn(16, bytes_) ? bytes_.PickValueInArray({ 0, -1, INT_MIN, INT_MAX }) : scene_.cols;
         const bool is_valid = is_algorithm && is_ruler && number >= 1 && width >= 1 && width < INT_MAX &&
-                              (channels == 1 || channels == 3 || channels == 4);
+                              channels >= 1 && channels <= 4;
         require(succeeds([&]()
         {
             gws_ = createSuperpixelGWatershed(width, scene_.rows, channels, number, algorithm, ruler);
@@ -136,18 +135,15 @@ void Session::create()
         kept_depth_ = depth.mat().clone();
         const float alpha = takeFloat(1, bytes_);
         is_valid = is_valid && alpha >= 0 && alpha <= 1 && isDepth(kept_depth_, kept_image_.size());
-        require(succeeds([&]()
-        {
-            gws_ = createSuperpixelGWatershed(image.mat(), depth.mat(), algorithm, number, ruler, alpha);
-        }) == is_valid, "the factory takes images with depth");
+        require(succeeds([&]() { gws_ = createSuperpixelGWatershed(image.mat(), depth.mat(), algorithm, number, ruler,
+                                                                   alpha); }) == is_valid,
+                "the factory takes images with depth");
         require(depth.untouched(), "the factory does not write to depth");
         depth.overwrite(77);
     }
     else
-        require(succeeds([&]()
-        {
-            gws_ = createSuperpixelGWatershed(image.mat(), algorithm, number, ruler);
-        }) == is_valid, "the factory takes images");
+        require(succeeds([&]() { gws_ = createSuperpixelGWatershed(image.mat(), algorithm, number, ruler); }) ==
+                is_valid, "the factory takes images");
     require(image.untouched(), "the factory does not write to the image");
     image.overwrite(77);
 }
@@ -206,7 +202,7 @@ void Session::iterate()
     const bool with_depth = oneIn(3, bytes_);
     Guarded depth(with_depth ? makeDepth(scene_, bytes_) : Mat(), bytes_);
     const bool is_valid = isImage(image.mat()) && fits(image.mat().size()) && num_iterations >= 1 &&
-                          (!with_depth || isDepth(depth.mat(), image.mat().size()));
+                          isDepth(depth.mat(), image.mat().size());
     const bool as_umat = is_valid && oneIn(16, bytes_), as_vector = oneIn(64, bytes_);
     useThreads();
     const bool accepted = attempt(is_valid && !as_vector, "iterate() of an image", [&]()
@@ -313,7 +309,7 @@ void Session::setParameter()
 {
     Settings s = settingsOf(*gws_);
     const char* const name = "setters take what is in range";
-    switch (bytes_.ConsumeIntegralInRange(0, 8))
+    switch (bytes_.ConsumeIntegralInRange(0, 9))
     {
     case 0:
         s.algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), 199, 202, 0, INT_MIN });
@@ -346,6 +342,11 @@ void Session::setParameter()
         gws_->setTemporal(s.temporal);
         break;
     case 7:
+        s.low_value = takeFloat(300, bytes_);
+        s.high_value = takeFloat(4000, bytes_);
+        attempt(inRange(s), name, [&]() { gws_->setValueRange(s.low_value, s.high_value); });
+        break;
+    case 8:
         s.near_depth = takeFloat(3000, bytes_);
         s.far_depth = oneIn(2, bytes_) ? s.near_depth + takeFloat(4000, bytes_) : takeFloat(7000, bytes_);
         attempt(inRange(s), name, [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); });
@@ -375,17 +376,17 @@ void Session::mergeSimilar()
 
 void Session::mergeSmall()
 {
-    const int percent = oneIn(4, bytes_) ? takeInt(100, bytes_) : 25;
     if (!isSegmented())
         return queryUnsegmented();
     const Partition before = partitionOf(*gws_);
-    if (!attempt(percent >= 0 && percent <= 100, "enforceLabelConnectivity()",
-                 [&]() { gws_->enforceLabelConnectivity(percent); }))
+    const int percent = oneIn(4, bytes_) ? takeInt(100, bytes_) : 25, in_pixels = oneIn(3, bytes_);
+    if (!attempt(percent >= 0 && (in_pixels || percent <= 100), "merging of small superpixels",
+                 [&]() { in_pixels ? gws_->mergeSmall(percent) : gws_->enforceLabelConnectivity(percent); }))
         return;
     const Partition now = partitionOf(*gws_);
     digest(now.labels);
     checkMerged(before, now);
-    checkSmallMerged(before, percent, now);
+    (in_pixels ? checkAreaMerged : checkSmallMerged)(before, percent, now);
     if (now.num_labels == before.num_labels)
         return;
     unmerged_ = now;
@@ -425,11 +426,11 @@ void Session::queryWrong()
     const bool is_measured = wrong.empty() || (wrong.dims == 2 && wrong.size() == size);
     Mat a, b, c, d;
     attempt(is_measured, "getStatistics() of an image", [&]() { gws_->getStatistics(wrong, noArray(), a, b, c, d); });
-    attempt(wrong.empty() || isDepth(wrong, size), "getStatistics() of depth",
+    attempt(isDepth(wrong, size), "getStatistics() of depth",
             [&]() { gws_->getStatistics(noArray(), wrong, a, b, noArray(), d); });
     attempt(wrong.empty() || (is_measured && isImage(wrong)), "getAdjacency() of an image",
             [&]() { gws_->getAdjacency(wrong, noArray(), a, b, c); });
-    attempt(wrong.empty() || isDepth(wrong, size), "getAdjacency() of depth",
+    attempt(isDepth(wrong, size), "getAdjacency() of depth",
             [&]() { gws_->getAdjacency(image_, wrong, a, b, noArray()); });
     attempt(wrong.empty(), "getAdjacency() of depth alone", [&]() { gws_->getAdjacency(noArray(), wrong, a, b, c); });
     attempt(false, "getLabels() to nowhere", [&]() { gws_->getLabels(noArray()); });
@@ -461,7 +462,8 @@ void Session::writeAndRead()
 void Session::readNumbers()
 {
     const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input",
-                                  "temporal", "near_depth", "far_depth", "border_threshold" };
+                                  "temporal", "low_value", "high_value", "near_depth", "far_depth",
+                                  "border_threshold" };
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     FileStorage own(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     gws_->write(own);

@@ -213,6 +213,27 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         checkedLabelsOf(gws, gws.getNumberOfSuperpixels());
     }
 
+    public void testNoDepth() {
+        SuperpixelGWatershed a = Gwatershed.createSuperpixelGWatershed(image, new Mat(), Gwatershed.RGWATERSHED, 8);
+        SuperpixelGWatershed b = Gwatershed.createSuperpixelGWatershed(image, Gwatershed.RGWATERSHED, 8);
+        a.iterate();
+        b.iterate(image, new Mat());
+        assertSameLabels(a, b);
+    }
+
+    public void testSmallOnes() {
+        SuperpixelGWatershed gws = Gwatershed.createSuperpixelGWatershed(image);
+        gws.iterate();
+        gws.mergeSmall(500);
+        assertTrue(gws.getNumberOfSuperpixels() <= WIDTH * HEIGHT / 500);
+    }
+
+    // 500 objects with buffers for 1920x1080, more than a machine holds at once: clear() gives them back.
+    public void testMemoryIsReleased() {
+        for (int i = 0; i < 500; i++)
+            Gwatershed.createSuperpixelGWatershed(1920, 1080, 3, 5000).clear();
+    }
+
     public void testParameters() {
         SuperpixelGWatershed gws = Gwatershed.createSuperpixelGWatershed(image);
         gws.setAlgorithm(Gwatershed.GWATERSHED);
@@ -223,6 +244,7 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         gws.setAlpha(0.75f);
         gws.setLabInput(true);
         gws.setTemporal(true);
+        gws.setValueRange(-1000, 3000);
         gws.setDepthRange(400, 4000);
         gws.setBorderThreshold(100);
         assertEquals(Gwatershed.GWATERSHED, gws.getAlgorithm());
@@ -232,6 +254,8 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         assertEquals(0.75f, gws.getAlpha());
         assertTrue(gws.getLabInput());
         assertTrue(gws.getTemporal());
+        assertEquals(-1000f, gws.getLowValue());
+        assertEquals(3000f, gws.getHighValue());
         assertEquals(400f, gws.getNearDepth());
         assertEquals(4000f, gws.getFarDepth());
         assertEquals(100f, gws.getBorderThreshold());

@@ -9,6 +9,7 @@ It tests cv2.ximgproc, or, with GWATERSHED_TEST=package in the environment, the 
 import inspect
 import os
 import re
+import threading
 import unittest
 
 import numpy as np
@@ -16,7 +17,7 @@ import numpy as np
 IS_PACKAGE = os.environ.get("GWATERSHED_TEST") == "package"
 if IS_PACKAGE:
     import gwatershed as ximgproc
-    TestCase, Error = unittest.TestCase, (ValueError, RuntimeError)
+    TestCase, Error = unittest.TestCase, (ValueError, RuntimeError, TypeError)
     OF_ALGORITHM = {"clear", "empty", "read", "save", "write", "getDefaultName"}
 else:
     import cv2
@@ -27,8 +28,8 @@ else:
 # What help() shows: a line for each overload, the names as in the header.
 FACTORY = [
     "(image_width, image_height, image_channels, num_superpixels[, algorithm[, ruler]]) -> retval",
-    "(image[, algorithm[, region_size[, ruler]]]) -> retval",
-    "(image, depth[, algorithm[, region_size[, ruler[, alpha]]]]) -> retval",
+    "(image, algorithm[, region_size[, ruler]]) -> retval",
+    "(image[, depth[, algorithm[, region_size[, ruler[, alpha]]]]]) -> retval",
 ]
 METHODS = {
     "iterate": ["([, num_iterations]) -> None", "(image[, num_iterations]) -> None",
@@ -38,30 +39,34 @@ METHODS = {
     "getLabelContourMask": ["([, image[, thick_line]]) -> image"],
     "getWatershedLineMask": ["([, image]) -> image"],
     "enforceLabelConnectivity": ["([, min_element_size]) -> None"],
+    "mergeSmall": ["(min_area) -> None"],
     "mergeSimilar": ["(num_superpixels) -> None"],
     "getStatistics": ["(image, depth[, stats[, centroids[, mean_colors[, mean_depths]]]])"
                       " -> stats, centroids, mean_colors, mean_depths"],
     "getAdjacency": ["(image, depth[, pairs[, lengths[, contrasts]]]) -> pairs, lengths, contrasts"],
     "setMask": ["(mask) -> None"],
     "setMarkers": ["(markers) -> None"],
-    "setAlgorithm": ["(algorithm) -> None"],
+    "setAlgorithm": ["([, algorithm]) -> None"],
     "getAlgorithm": ["() -> retval"],
-    "setRegionSize": ["(region_size) -> None"],
+    "setRegionSize": ["([, region_size]) -> None"],
     "getRegionSize": ["() -> retval"],
     "setDesiredSuperpixels": ["(num_superpixels) -> None"],
     "getDesiredSuperpixels": ["() -> retval"],
-    "setRuler": ["(ruler) -> None"],
+    "setRuler": ["([, ruler]) -> None"],
     "getRuler": ["() -> retval"],
-    "setAlpha": ["(alpha) -> None"],
+    "setAlpha": ["([, alpha]) -> None"],
     "getAlpha": ["() -> retval"],
     "setLabInput": ["(lab_input) -> None"],
     "getLabInput": ["() -> retval"],
     "setTemporal": ["(temporal) -> None"],
     "getTemporal": ["() -> retval"],
+    "setValueRange": ["(low_value, high_value) -> None"],
+    "getLowValue": ["() -> retval"],
+    "getHighValue": ["() -> retval"],
     "setDepthRange": ["(near_depth, far_depth) -> None"],
     "getNearDepth": ["() -> retval"],
     "getFarDepth": ["() -> retval"],
-    "setBorderThreshold": ["(border_threshold) -> None"],
+    "setBorderThreshold": ["([, border_threshold]) -> None"],
     "getBorderThreshold": ["() -> retval"],
 }
 
@@ -211,7 +216,8 @@ class gwatershed_test(TestCase):
             self.assertTrue(set(np.unique(mask)) <= {0, 255})
         self.assertTrue((thick[thin > 0] > 0).all())
         gws.enforceLabelConnectivity(min_element_size=50)
-        self.labels_of(gws)
+        gws.mergeSmall(min_area=90)
+        self.assertGreaterEqual(np.bincount(self.labels_of(gws).ravel()).min(), 90)
 
     def test_mask(self):
         image = make_image()
@@ -299,6 +305,91 @@ class gwatershed_test(TestCase):
         gws.iterate(np.roll(image, 1, axis=1))
         self.assertGreater(np.mean(self.labels_of(gws) == first), 0.7)
 
+    def test_none_for_depth_is_no_depth(self):
+        image, create = make_image(), ximgproc.createSuperpixelGWatershed
+        for algorithm in (ximgproc.GWATERSHED, ximgproc.RGWATERSHED):
+            expected = self.segment(image, algorithm, 8)
+            for gws in (create(image, None, algorithm, 8), create(image, None, algorithm, 8, 10.0, 0.5),
+                        create(image, None, algorithm=algorithm, region_size=8),
+                        create(image=image, depth=None, region_size=8, algorithm=algorithm),
+                        create(ruler=10, region_size=8, algorithm=algorithm, image=image)):
+                self.assertEqual((gws.getAlgorithm(), gws.getRegionSize()), (algorithm, 8))
+                gws.iterate()
+                np.testing.assert_array_equal(self.labels_of(gws), expected)
+                gws.iterate(image, None)
+                np.testing.assert_array_equal(self.labels_of(gws), expected)
+                gws.iterate(image, None, 4)
+                four = self.labels_of(gws)
+                gws.iterate(image, 4)
+                np.testing.assert_array_equal(self.labels_of(gws), four)
+        gws = create(image, None)
+        self.assertEqual((gws.getAlgorithm(), gws.getRegionSize()), (ximgproc.RGWATERSHED, 10))
+
+    def test_none_for_a_number_is_its_default_or_throws(self):
+        gws = ximgproc.createSuperpixelGWatershed(make_image())
+        for setter, getter, other, default in (
+                (gws.setAlpha, gws.getAlpha, 0.25, 0.5), (gws.setRuler, gws.getRuler, 3, 10),
+                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150), (gws.setRegionSize, gws.getRegionSize, 7, 10),
+                (gws.setAlgorithm, gws.getAlgorithm, ximgproc.GWATERSHED, ximgproc.RGWATERSHED)):
+            setter(other)
+            self.assertEqual(getter(), other)
+            setter(None)
+            self.assertEqual(getter(), default)
+        gws.setDepthRange(None, None)
+        gws.setValueRange(None, None)
+        self.assertEqual((gws.getFarDepth(), gws.getHighValue()), (0, 0))
+        gws.iterate()
+        for call in (gws.setDesiredSuperpixels, gws.mergeSimilar):
+            self.assertRaises(Error, call, None)
+
+    def test_values_of_every_type(self):
+        image = make_image()
+        labels = self.segment(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
+        gws.setValueRange(0, 255)
+        for dtype in (np.int16, np.int32, np.int64, np.float32, np.float64):
+            gws.iterate(image.astype(dtype))
+            np.testing.assert_array_equal(self.labels_of(gws), labels)
+        flat, depth = np.full_like(image, 100), make_depth()
+        gws.setRegionSize(8)
+        for dtype in (np.int16, np.float32, np.float64):
+            gws.iterate(flat, depth.astype(dtype))
+            cut = self.labels_of(gws)
+            self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()))
+
+    def test_arrays_without_memory(self):
+        image = make_image()
+        gws = ximgproc.createSuperpixelGWatershed(image)
+        gws.iterate()
+        for dtype in (np.uint8, np.float32):
+            nothing = np.zeros(image.shape[:2] + (0,), dtype)
+            self.assertRaises(Error, gws.getStatistics, nothing, None)
+            self.assertRaises(Error, gws.iterate, nothing)
+        self.assertRaises(Error, gws.getStatistics, np.zeros(image.shape[:2] + (513,), np.uint8), None)
+
+    def test_two_threads(self):
+        image = make_image(240, 320)
+        gws = ximgproc.createSuperpixelGWatershed(image)
+        others = []
+
+        def work():
+            for _ in range(20):
+                try:
+                    gws.iterate(image)
+                    gws.getLabels()
+                except Error as error:
+                    if "in use by another thread" not in str(error):
+                        others.append(str(error))
+
+        threads = [threading.Thread(target=work) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(others, [])
+        gws.iterate(image)
+        self.labels_of(gws)
+
     def test_parameters(self):
         gws = ximgproc.createSuperpixelGWatershed(make_image())
         gws.setAlgorithm(ximgproc.GWATERSHED)
@@ -321,7 +412,7 @@ class gwatershed_test(TestCase):
         gws = ximgproc.createSuperpixelGWatershed(image)
         self.assertTrue(gws.empty())
         for call in (gws.getLabels, lambda: gws.setRegionSize(0), lambda: gws.setAlpha(2),
-                     lambda: gws.iterate(image.astype(np.float64)), lambda: gws.iterate(image, image)):
+                     lambda: gws.iterate(np.dstack([image, image])), lambda: gws.iterate(image, image)):
             self.assertRaises(Error, call)
         gws.iterate()
         self.labels_of(gws)

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_SAMPLE_HPP
+#define OPENCV_GWATERSHED_SAMPLE_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! A number below `end` that looks drawn by lot, and is the same in every run.
+inline int64 drawLot(int64 index, int64 end)
+{
+    uint64 value = uint64(index) * 0x9e3779b97f4a7c15u;
+    value = (value ^ (value >> 32)) * 0xbf58476d1ce4e5b9u;
+    return int64(((value >> 32) * uint64(end)) >> 32);
+}
+
+//! Calls visit(y, x) for one element of each `step` elements that follow one another in the order of rows. Which one
+//! of them is drawn by lot, so that no lattice of elements is always met, or always missed.
+template <typename Visit> inline void visitSample(Size size, int64 step, Visit visit)
+{
+    const int64 total = int64(size.width) * size.height;
+    int64 row_begin = 0;
+    int y = 0;
+    for (int64 first = 0; first < total; first += step)
+    {
+        const int64 index = first + drawLot(first, std::min(step, total - first));
+        for (; index >= row_begin + size.width; row_begin += size.width)
+            y++;
+        visit(y, int(index - row_begin));
+    }
+}
+
+struct FloatRange
+{
+    float first, last;
+};
+
+//! The range that is left without `outliers` of the lowest and of the highest values; values change their order.
+//! There are more than 2 * outliers of them.
+inline FloatRange rangeWithout(size_t outliers, std::vector<float>& values)
+{
+    const std::vector<float>::iterator low = values.begin() + outliers, high = values.end() - 1 - outliers;
+    std::nth_element(values.begin(), low, values.end());
+    const float first = *low;
+    std::nth_element(low, high, values.end());
+    const FloatRange range = { first, *high };
+    return range;
+}
+
+}}} // namespace
+
+#endif
