@@ -96,7 +96,7 @@ runs_command() {
     inside $release sh -c 'cd /user && python3 -c "
 from PIL import Image
 Image.linear_gradient(\"L\").save(\"ramp.png\")" && gwatershed ramp.png -o contours.png --number 30 &&
-        [ -s contours.png ]'
+        [ -s contours.png ] && gwatershed-tiles --help'
 }
 
 copy_inside $release /gwatershed

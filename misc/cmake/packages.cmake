@@ -29,13 +29,17 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The header, and files for CMake and
 if(BUILD_PYTHON AND NOT SKBUILD)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(python_dir lib/python3/dist-packages)
+  set(dist_info_dir ${python_dir}/gwatershed-${PROJECT_VERSION}.dist-info)
+  install(CODE "set(directories [[${python_dir}/gwatershed/tiles]] [[${dist_info_dir}]] [[${CMAKE_INSTALL_BINDIR}]])")
+  install(SCRIPT misc/cmake/note_directories.cmake)
   install(TARGETS gwatershed_python DESTINATION ${python_dir}/gwatershed COMPONENT python)
   install(DIRECTORY python/gwatershed DESTINATION ${python_dir} COMPONENT python
     PATTERN __pycache__ EXCLUDE)
   configure_file(python/debian/METADATA.in METADATA @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/METADATA python/debian/entry_points.txt
-    DESTINATION ${python_dir}/gwatershed-${PROJECT_VERSION}.dist-info COMPONENT python)
-  install(PROGRAMS python/debian/gwatershed DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
+    DESTINATION ${dist_info_dir} COMPONENT python)
+  install(PROGRAMS python/debian/gwatershed python/debian/gwatershed-tiles
+    DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gwatershed)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
@@ -43,9 +47,10 @@ if(BUILD_PYTHON AND NOT SKBUILD)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${python_next}~), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-pil)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-dask, python3-distributed, python3-zarr, python3-rasterio")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${PROJECT_SOURCE_DIR}/python/debian/postinst;${PROJECT_SOURCE_DIR}/python/debian/prerm")
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package gwatershed, and the command of that name.")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package gwatershed, and its commands.")
 endif()
 
 include(CPack)
