@@ -75,9 +75,8 @@ static Steps runSteps(const Mat& image, int num_superpixels)
 
     gws::BoundarySweeper sweeper;
     gws::MergeBuffers merge_buffers;
-    sweeper.start(blocks, plan.energy_before_merging, Mat(), labels, regions);
-    sweeper.sweepAll();
-    sweeper.sweepAgain(gws::SWEEPS_BEFORE_MERGING - 1);
+    sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
+    sweeper.sweepAgain(gws::SWEEPS_BEFORE_MERGING - 1, blocks, plan.sweep_before_merging, labels, regions);
     gws::mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.length_exponent, merge_buffers, labels,
                              regions);
     steps.merged = labels.view(CV_32SC1).clone();

@@ -4,7 +4,7 @@
 Rooms: the folders of src/. shared/ includes no other room; results/ and the two algorithms include shared/ and
 themselves; only the files beside the rooms include all of them. A name stands for one file, or for a header and the .cpp
 that defines what it declares.
-All C++: the licence first, fewer than 500 lines of at most 120 columns, no macros but include guards.
+All C++: the licence first, at most 500 lines of at most 120 columns, no macros but include guards.
 """
 import pathlib
 import re
@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "results": {"shared", "results"},
 }
 FOLDERS = "include", "src", "test", "perf", "samples", "tools"
-MAX_LINES = 499
+MAX_LINES = 500
 MAX_COLUMNS = 120
 
 problems = []

@@ -57,7 +57,7 @@ static void weighDepth(const uchar* p, const uchar* q, int n, int alpha, uchar* 
     {
         const int depth = std::abs(p[x] - q[x]);
         const int weighed = (alpha * distances[x] + (256 - alpha) * depth + 128) >> 8;
-        distances[x] = uchar((p[x] != 0) & (q[x] != 0) ? weighed : distances[x]);
+        distances[x] = uchar(((p[x] != 0) & (q[x] != 0)) ? weighed : distances[x]);
     }
 }
 
@@ -73,7 +73,7 @@ public:
         const uchar* row = color_.ptr(y);
         const uchar* depth = depth_.empty() ? 0 : depth_.ptr(y);
         distances[0] = distances[color_.cols] = 0;
-        compare(row, row + color_.channels(), depth, depth + 1, color_.cols - 1, distances + 1);
+        compare(row, row + color_.channels(), depth, depth ? depth + 1 : 0, color_.cols - 1, distances + 1);
     }
 
     //! To the row above; nothing is compared at the borders of the image.

@@ -6,7 +6,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// The lists are made without branches on what no one could foresee: what is not listed is written over by the next.
+// The lists are made without unpredictable branches: every pixel is written, and the next one overwrites what does not
+// belong to the list.
 
 void BoundaryList::begin(int first_row)
 {

@@ -27,9 +27,9 @@ struct ClassRows
         const int above = band.start > 0, below = band.end < height;
         ClassRows result(band);
         result.rows[0] = Range(band.start + above, band.end);
-        result.rows[3] = Range(band.start + above, band.end - below);
+        result.rows[2] = Range(band.start + above, band.end - below);
         result.rows[1] = Range(band.start + 2 * above, band.end - below);
-        result.rows[2] = Range(band.start + 2 * above, band.end - 2 * below);
+        result.rows[3] = Range(band.start + 2 * above, band.end - 2 * below);
         return result;
     }
 
@@ -37,9 +37,9 @@ struct ClassRows
     static ClassRows between(int row, int height)
     {
         ClassRows result(Range(row, row + 1));
-        result.rows[3] = Range(row - 1, row + 1);
+        result.rows[2] = Range(row - 1, row + 1);
         result.rows[1] = Range(row - 1, std::min(row + 2, height));
-        result.rows[2] = Range(row - 2, std::min(row + 2, height));
+        result.rows[3] = Range(row - 2, std::min(row + 2, height));
         return result;
     }
 
@@ -58,11 +58,11 @@ public:
     {
     }
 
-    //! Class 3 comes one row after class 0, which it needs above and below, class 1 with it, class 2 two rows after.
+    //! Class 2 comes one row after class 0, which it needs above and below, class 1 with it, class 3 two rows after.
     void run(const ClassRows& classes)
     {
-        const int ORDER[NUM_CLASSES] = { 0, 3, 1, 2 }, LAGS[NUM_CLASSES] = { 0, 1, 2, 1 };
-        for (int row = classes.rows[0].start; row < classes.rows[2].end + LAGS[2]; row++)
+        const int ORDER[NUM_CLASSES] = { 0, 2, 1, 3 }, LAGS[NUM_CLASSES] = { 0, 1, 1, 2 };
+        for (int row = classes.rows[0].start; row < classes.rows[3].end + LAGS[3]; row++)
             for (int i = 0; i < NUM_CLASSES; i++)
             {
                 const int c = ORDER[i];
@@ -248,7 +248,7 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
 }
 
 //! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
-//! so few of them are looked at in vain.
+//! so few are read for nothing.
 void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
                                     Regions& regions) const
 {

@@ -25,7 +25,7 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
-//! passed over here, in loops without branches: no one could foresee which they are.
+//! passed over here, in loops without branches, because no processor can predict which they are.
 template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
 {
     Feature features[BATCH];

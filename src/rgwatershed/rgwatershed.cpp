@@ -97,13 +97,14 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
         closeUnseen(labels_[0]);
 }
 
-//! Step 5: level by level down to the pixels.
+//! Step 5: level by level from the blocks that were flooded down to the pixels.
 void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iterations)
 {
     CV_TRACE_FUNCTION();
-    for (int level = std::max(plan.level - 1, 0); level >= 0; level--)
+    for (int level = plan.level; level >= 0; level--)
     {
-        const int num_sweeps = level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
+        const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING
+                             : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweep;
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < plan.level)
@@ -116,7 +117,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     }
 }
 
-//! To smaller blocks. Where there is a mask, they get the labels of the larger ones, and what of it lies outside of these.
+//! To smaller blocks. Where there is a mask, they get the labels of the larger ones, and so does what of it lies
+//! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
     regions_.divideBlocks();

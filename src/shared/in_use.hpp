@@ -50,8 +50,8 @@ public:
     ~Reading() { users_--; }
 
 private:
-    Reading(const Reading&);
-    Reading& operator=(const Reading&);
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
     std::atomic<int>& users_;
 };
 
@@ -68,8 +68,8 @@ public:
     ~Writing() { users_ = 0; }
 
 private:
-    Writing(const Writing&);
-    Writing& operator=(const Writing&);
+    Writing(const Writing&) = delete;
+    Writing& operator=(const Writing&) = delete;
     std::atomic<int>& users_;
 };
 
