@@ -32,8 +32,8 @@ make_packages() {
 # All files but the notes of dpkg, apt and ldconfig.
 list_files() {
     inside $release find / -xdev \( -path /proc -o -path /sys -o -path /build -o -path /gwatershed \
-        -o -path /var/lib/dpkg -o -path /var/lib/apt -o -path /var/cache -o -path /var/log -o -path /tmp -o -path /user \) \
-        -prune -o -print | sort
+        -o -path /var/lib/dpkg -o -path /var/lib/apt -o -path /var/cache -o -path /var/log -o -path /tmp \
+        -o -path /user \) -prune -o -print | sort
 }
 
 # A program of five lines in a folder of its own.

@@ -329,7 +329,8 @@ class gwatershed_test(TestCase):
         gws = ximgproc.createSuperpixelGWatershed(make_image())
         for setter, getter, other, default in (
                 (gws.setAlpha, gws.getAlpha, 0.25, 0.5), (gws.setRuler, gws.getRuler, 3, 10),
-                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150), (gws.setRegionSize, gws.getRegionSize, 7, 10),
+                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150),
+                (gws.setRegionSize, gws.getRegionSize, 7, 10),
                 (gws.setAlgorithm, gws.getAlgorithm, ximgproc.GWATERSHED, ximgproc.RGWATERSHED)):
             setter(other)
             self.assertEqual(getter(), other)
