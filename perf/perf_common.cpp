@@ -19,7 +19,7 @@ static const char* const PHOTOGRAPHS[] = {
 static Mat generateScene(RNG& rng)
 {
     Mat scene(4 * TILE_HEIGHT, 4 * TILE_WIDTH, CV_8UC3);
-    rng.fill(scene, RNG::UNIFORM, 0, 256);
+    rng.fill(scene, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
     GaussianBlur(scene, scene, Size(), 2);
     for (int i = 0; i < 600; i++)
         circle(scene, Point(rng.uniform(0, scene.cols), rng.uniform(0, scene.rows)), rng.uniform(3, 60),

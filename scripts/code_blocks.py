@@ -16,10 +16,10 @@ CPP = """#include <opencv2/imgproc.hpp>
 int main()
 {{
     cv::Mat image(240, 320, CV_8UC3), next_image, depth(image.size(), CV_16UC1);
-    cv::randu(image, 0, 256);
+    cv::randu(image, cv::Scalar::all(0), cv::Scalar::all(256));
     cv::blur(image, image, cv::Size(9, 9));
     cv::blur(image, next_image, cv::Size(3, 3));
-    cv::randu(depth, 0, 4000);
+    cv::randu(depth, cv::Scalar::all(0), cv::Scalar::all(4000));
     {{
 {blocks}
     }}

@@ -42,7 +42,7 @@ Mat makeScene(Size size, RNG& rng)
     }
     GaussianBlur(image, image, Size(3, 3), 0);
     Mat noise(size, CV_8UC3);
-    rng.fill(noise, RNG::UNIFORM, 0, 12);
+    rng.fill(noise, RNG::UNIFORM, Scalar::all(0), Scalar::all(12));
     return image + noise;
 }
 
@@ -58,7 +58,7 @@ Mat makeImage(ImageKind kind, Size size, int channels, RNG& rng)
     Mat image(size, CV_8UC(channels));
     if (kind == NOISE)
     {
-        rng.fill(image, RNG::UNIFORM, 0, 256);
+        rng.fill(image, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
         return image;
     }
     const Scalar light = randomColor(rng), dark = randomColor(rng);
@@ -110,7 +110,7 @@ Mat makeMask(MaskKind kind, Size size, RNG& rng)
                    rng.uniform(1, std::max(2, size.width / 4)), inside, FILLED);
         break;
     case DUST:
-        rng.fill(mask, RNG::UNIFORM, 0, 3);
+        rng.fill(mask, RNG::UNIFORM, Scalar::all(0), Scalar::all(3));
         break;
     case MESH:
         mask.setTo(inside);

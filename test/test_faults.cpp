@@ -120,12 +120,13 @@ struct Stream
     std::vector<Mat> before;
 };
 
-//! Lets each allocation of an action fail in turn, in a new object each time, and checks this object after it.
+//! Lets each allocation of an action fail in turn, in a new object each time, and checks this object after it. A Mat of
+//! OpenCV 5 asks for memory twice, so there an action can end well where one allocation failed.
 void failEverywhere(int kind, const std::function<Ptr<SuperpixelGWatershed>()>& make, const Action& act,
                     const std::function<void(const Ptr<SuperpixelGWatershed>&, bool failed)>& check)
 {
-    bool failed = true;
-    for (int count = 0; failed && !testing::Test::HasFailure(); count++)
+    bool happened = true;
+    for (int count = 0; happened && !testing::Test::HasFailure(); count++)
     {
         SCOPED_TRACE(format("%s, after %d others", kind == BY_NEW ? "new" : "Mat", count));
         const Ptr<SuperpixelGWatershed> gws = make();
@@ -134,9 +135,11 @@ void failEverywhere(int kind, const std::function<Ptr<SuperpixelGWatershed>()>& 
             Fault fault(kind, count);
             try { act(*gws); }
             catch (const cv::Exception& e) { code = e.code; }
-            failed = fault.happened();
+            happened = fault.happened();
         }
-        EXPECT_EQ(failed, code == Error::StsNoMem) << code;
+        const bool failed = code != Error::StsOk;
+        EXPECT_TRUE(!failed || (happened && code == Error::StsNoMem)) << code;
+        EXPECT_TRUE(failed || !happened || CV_VERSION_MAJOR >= 5);
         check(gws, failed);
     }
 }

@@ -28,7 +28,7 @@ TEST_P(ximgproc_GWatershed_input, takes_every_type_of_image_alike)
         Mat with_alpha;
         cvtColor(image, with_alpha, COLOR_BGR2BGRA);
         Mat noise(image.size(), CV_8UC1);
-        rng.fill(noise, RNG::UNIFORM, 0, 256);
+        rng.fill(noise, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
         insertChannel(noise, with_alpha, 3);
         EXPECT_TRUE(equalMats(expected, segment(with_alpha, depth, GetParam(), 9)));
     }
@@ -172,7 +172,7 @@ TEST_P(ximgproc_GWatershed_input, ignores_depth_that_tells_nothing)
     EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_8UC1, Scalar(0)), GetParam(), 10)));
 
     Mat holes(image.size(), CV_8UC1);
-    theRNG().fill(holes, RNG::UNIFORM, 0, 2);
+    theRNG().fill(holes, RNG::UNIFORM, Scalar::all(0), Scalar::all(2));
     const int types[] = { CV_8UC1, CV_16UC1, CV_32FC1 };
     for (int i = 0; i < 3; i++)
     {
@@ -193,7 +193,7 @@ TEST_P(ximgproc_GWatershed_input, takes_millimetres_and_metres_alike)
     const Mat expected = segment(image, millimetres, GetParam(), 10);
     EXPECT_TRUE(equalMats(expected, segment(image, metres, GetParam(), 10)));
     Mat holes;
-    rng.fill(holes = Mat(image.size(), CV_8UC1), RNG::UNIFORM, 0, 2);
+    rng.fill(holes = Mat(image.size(), CV_8UC1), RNG::UNIFORM, Scalar::all(0), Scalar::all(2));
     millimetres.setTo(Scalar(0), holes);
     metres.setTo(Scalar(std::numeric_limits<float>::quiet_NaN()), holes);
     EXPECT_TRUE(equalMats(segment(image, millimetres, GetParam(), 10), segment(image, metres, GetParam(), 10)));

@@ -61,8 +61,8 @@ TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
         const Mat image = makeScene(size, rng), depth = makeDepth(size, 0.1, rng);
         const Mat mask = makeMask(MaskKind(i % MASK_KINDS), size, rng);
         Mat other(size, CV_8UC3), other_depth(size, CV_16UC1);
-        rng.fill(other, RNG::UNIFORM, 0, 256);
-        rng.fill(other_depth, RNG::UNIFORM, 0, 9000);
+        rng.fill(other, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
+        rng.fill(other_depth, RNG::UNIFORM, Scalar::all(0), Scalar::all(9000));
         image.copyTo(other, mask);
         depth.copyTo(other_depth, mask);
 
@@ -159,7 +159,7 @@ TEST_P(ximgproc_GWatershed_mask, empty_mask_gives_no_superpixels)
 TEST_P(ximgproc_GWatershed_mask, more_specks_than_superpixels)
 {
     Mat image(64, 12000, CV_8UC3), mask = Mat::zeros(image.size(), CV_8UC1);
-    theRNG().fill(image, RNG::UNIFORM, 0, 256);
+    theRNG().fill(image, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
     mask.rowRange(0, 60).setTo(Scalar(1));
     for (int i = 0; i < 20; i++)
         mask.at<uchar>(62, 3 + 500 * i) = 1;

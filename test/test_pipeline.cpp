@@ -28,8 +28,8 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_equal_brute_force)
     {
         const Size size(rng.uniform(1, 200), rng.uniform(1, 150));
         Ptr<SuperpixelGWatershed> gws = segmentScene(GetParam(), size, i, makeScene(size, rng), rng);
-        Mat values(size, types[i % 8]), depth = makeDepth(size, 0.4, rng);
-        rng.fill(values, RNG::UNIFORM, 0, 100);
+        Mat values(size, types[i % 8]), depth = makeDepth(size, 0.4, rng), single = values.reshape(1);
+        rng.fill(single, RNG::UNIFORM, Scalar::all(0), Scalar::all(100));
         if (i % 3 == 0)
         {
             depth.convertTo(depth, CV_32F, 0.001);
@@ -97,8 +97,8 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_are_the_same_for_any_number_of_t
     RNG& rng = theRNG();
     const Mat image = makeScene(Size(320, 240), rng);
     Mat values(image.size(), CV_32FC3), depth(image.size(), CV_32FC1), expected[4];
-    rng.fill(values, RNG::NORMAL, 0, 1);
-    rng.fill(depth, RNG::UNIFORM, 0.5, 8);
+    rng.fill(values, RNG::NORMAL, Scalar::all(0), Scalar::all(1));
+    rng.fill(depth, RNG::UNIFORM, Scalar::all(0.5), Scalar::all(8));
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 12);
     gws->iterate();
     for (int threads = 1; threads <= 8; threads++)
@@ -415,7 +415,7 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_finds_what_is_alike)
     things(Rect(0, 0, 77, 50)).setTo(Scalar(1));
     circle(things, Point(110, 75), 30, Scalar(2), FILLED);
     Mat noise(image.size(), CV_8UC3);
-    theRNG().fill(noise, RNG::UNIFORM, 0, 8);
+    theRNG().fill(noise, RNG::UNIFORM, Scalar::all(0), Scalar::all(8));
     image += noise;
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 8);
     gws->iterate();

@@ -28,7 +28,7 @@ Mat segmentAnew(const Mat& image, int algorithm, int num_superpixels)
 Mat addNoise(const Mat& image, RNG& rng)
 {
     Mat noise(image.size(), CV_16SC3), sum;
-    rng.fill(noise, RNG::NORMAL, 0, 3);
+    rng.fill(noise, RNG::NORMAL, Scalar::all(0), Scalar::all(3));
     cv::add(image, noise, sum, noArray(), CV_8U);
     return sum;
 }

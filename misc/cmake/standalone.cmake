@@ -1,39 +1,53 @@
-# Builds and installs the library opencv_gwatershed, and the samples, against an installed OpenCV.
+# Builds the library opencv_gwatershed, the samples, the tests and the Python package beside an installed OpenCV.
 include(GNUInstallDirs)
-include(CMakePackageConfigHelpers)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Type of the build" FORCE)
 endif()
 
 find_package(OpenCV REQUIRED COMPONENTS core imgproc OPTIONAL_COMPONENTS imgcodecs videoio highgui ximgproc)
+set(least_standard 11)
+if(OpenCV_VERSION VERSION_GREATER_EQUAL 5)
+  set(least_standard 17)
+endif()
 if(NOT DEFINED CMAKE_CXX_STANDARD)
-  set(CMAKE_CXX_STANDARD 11)
-  if(OpenCV_VERSION VERSION_GREATER_EQUAL 5)
-    set(CMAKE_CXX_STANDARD 17)
-  endif()
+  set(CMAKE_CXX_STANDARD ${least_standard})
 endif()
 
 file(GLOB_RECURSE gwatershed_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 option(BUILD_SHARED_LIBS "Build a shared library" ON)
 option(BUILD_SAMPLES "Build the samples" ON)
 option(BUILD_TESTS "Build the tests; they need GoogleTest" OFF)
-add_library(opencv_gwatershed ${gwatershed_sources})
+option(BUILD_PYTHON "Build the Python package; it needs pybind11" OFF)
+# The code is compiled once, for the library and for Python.
+add_library(gwatershed_objects OBJECT ${gwatershed_sources})
+target_include_directories(gwatershed_objects PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+target_link_libraries(gwatershed_objects PRIVATE opencv_core opencv_imgproc)
+set_target_properties(gwatershed_objects PROPERTIES
+  CXX_VISIBILITY_PRESET hidden
+  VISIBILITY_INLINES_HIDDEN ON)
+if(BUILD_SHARED_LIBS OR BUILD_PYTHON)
+  set_target_properties(gwatershed_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endif()
+if(BUILD_SHARED_LIBS)
+  target_compile_definitions(gwatershed_objects PRIVATE CVAPI_EXPORTS)
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(gwatershed_objects PRIVATE -Wall -Wextra)
+  # GCC below 12 vectorises the loops over pixels from -O3 on only.
+  target_compile_options(gwatershed_objects PRIVATE $<$<CONFIG:Release>:-O3>)
+endif()
+
+add_library(opencv_gwatershed $<TARGET_OBJECTS:gwatershed_objects>)
+add_library(gwatershed::gwatershed ALIAS opencv_gwatershed)
 target_include_directories(opencv_gwatershed PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_include_directories(opencv_gwatershed PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(opencv_gwatershed PUBLIC opencv_core opencv_imgproc)
+target_compile_features(opencv_gwatershed INTERFACE cxx_std_${least_standard})
 set_target_properties(opencv_gwatershed PROPERTIES
-  DEFINE_SYMBOL CVAPI_EXPORTS
-  CXX_VISIBILITY_PRESET hidden
-  VISIBILITY_INLINES_HIDDEN ON
+  LINKER_LANGUAGE CXX
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  target_compile_options(opencv_gwatershed PRIVATE -Wall -Wextra)
-  # GCC below 12 vectorises the loops over pixels from -O3 on only.
-  target_compile_options(opencv_gwatershed PRIVATE $<$<CONFIG:Release>:-O3>)
-endif()
 
 if(NOT BUILD_SAMPLES)
   # nothing asked for
@@ -60,22 +74,9 @@ endif()
 if(BUILD_TESTS)
   include(misc/cmake/tests.cmake)
 endif()
+if(BUILD_PYTHON)
+  add_subdirectory(python)
+endif()
 
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)
-install(CODE "set(directories [[${package_dir}]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2]])")
-install(CODE "set(build_dir [[${PROJECT_BINARY_DIR}]])")
-install(SCRIPT misc/cmake/note_directories.cmake)
-install(TARGETS opencv_gwatershed EXPORT gwatershedTargets
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/opencv2 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT gwatershedTargets DESTINATION ${package_dir})
-configure_package_config_file(misc/cmake/gwatershedConfig.cmake.in gwatershedConfig.cmake
-  INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(gwatershedConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/gwatershedConfig.cmake ${PROJECT_BINARY_DIR}/gwatershedConfigVersion.cmake
-  DESTINATION ${package_dir})
-
-add_custom_target(uninstall
-  COMMAND ${CMAKE_COMMAND} "-Dbuild_dir=${PROJECT_BINARY_DIR}" -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake VERBATIM)
+include(misc/cmake/install.cmake)
+include(misc/cmake/packages.cmake)

@@ -13,7 +13,7 @@ using namespace fuzz;
 static uint64 runSession(int number, int max_pixels)
 {
     std::vector<uint8_t> bytes(600);
-    RNG(uint64(number) + 1).fill(bytes, RNG::UNIFORM, 0, 256);
+    RNG(uint64(number) + 1).fill(bytes, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(256));
     return Session(bytes, max_pixels, 0).run();
 }
 
@@ -35,8 +35,8 @@ static void queryAtOnce(int max_pixels)
     for (int algorithm : { cv::ximgproc::GWATERSHED, cv::ximgproc::RGWATERSHED })
     {
         Mat image(side, side, CV_8UC3), depth(side, side, CV_16UC1);
-        RNG().fill(image, RNG::UNIFORM, 0, 256);
-        RNG().fill(depth, RNG::UNIFORM, 0, 5000);
+        RNG().fill(image, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(256));
+        RNG().fill(depth, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(5000));
         const Ptr<SuperpixelGWatershed> gws = cv::ximgproc::createSuperpixelGWatershed(image, depth, algorithm);
         gws->iterate();
         cv::parallel_for_(cv::Range(0, 2), [&](const cv::Range&)

@@ -2,14 +2,28 @@
 # This file is part of OpenCV project.
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
-"""Every overload of SuperpixelGWatershed from Python, by position and by keyword."""
-import inspect
-import threading
+"""Every overload of SuperpixelGWatershed from Python, by position and by keyword.
 
-import cv2 as cv
+It tests cv2.ximgproc, or, with GWATERSHED_TEST=package in the environment, the package gwatershed.
+"""
+import inspect
+import os
+import re
+import threading
+import unittest
+
 import numpy as np
 
-from tests_common import NewOpenCVTests
+IS_PACKAGE = os.environ.get("GWATERSHED_TEST") == "package"
+if IS_PACKAGE:
+    import gwatershed as ximgproc
+    TestCase, Error = unittest.TestCase, (ValueError, RuntimeError, TypeError)
+    OF_ALGORITHM = {"clear", "empty", "read", "save", "write", "getDefaultName"}
+else:
+    import cv2
+    from cv2 import ximgproc
+    from tests_common import NewOpenCVTests as TestCase
+    Error, OF_ALGORITHM = cv2.error, set(dir(cv2.Algorithm))
 
 # What help() shows: a line for each overload, the names as in the header.
 FACTORY = [
@@ -63,6 +77,25 @@ def signatures(function):
     return [line[len(function.__name__):] for line in lines if line.startswith(function.__name__ + "(")]
 
 
+def package_signatures(function):
+    """Those of the package, as cv2 writes them but for the result."""
+    lines = [re.sub(r"^\d+\. ", "", line) for line in function.__doc__.splitlines()]
+    found = [line for line in lines if line.startswith(function.__name__ + "(") and " -> " in line]
+    return [as_cv2_writes(line) for line in found]
+
+
+def as_cv2_writes(signature):
+    """name(self: T, a: T, b: T = value) -> T  becomes  (a[, b])"""
+    parameters = re.findall(r"(\w+): ([^()]*?)(?= = |, \w+: |\)|$)( = )?", signature.split("(", 1)[1])
+    names = [(name, bool(default)) for name, _, default in parameters if name != "self"]
+    text = ""
+    for index, (name, has_default) in enumerate(names):
+        text += ("[" if has_default else "") + (", " if index or has_default else "") + name
+    if names and names[0][1]:
+        text = text.replace("[, ", "[, ", 1)
+    return "(" + text + "]" * sum(has_default for _, has_default in names) + ")"
+
+
 def make_image(height=48, width=64):
     y, x = np.mgrid[0:height, 0:width]
     image = np.stack([x * 3, y * 4, 128 + 60 * np.sin(x / 5.0 + y / 7.0)], axis=-1)
@@ -75,7 +108,7 @@ def make_depth(height=48, width=64):
     return depth
 
 
-class gwatershed_test(NewOpenCVTests):
+class gwatershed_test(TestCase):
 
     def labels_of(self, gws):
         labels = gws.getLabels()
@@ -84,40 +117,50 @@ class gwatershed_test(NewOpenCVTests):
         return labels
 
     def segment(self, *arguments, **keywords):
-        gws = cv.ximgproc.createSuperpixelGWatershed(*arguments, **keywords)
+        gws = ximgproc.createSuperpixelGWatershed(*arguments, **keywords)
         gws.iterate()
         return self.labels_of(gws)
 
     def test_methods_are_those_of_the_header(self):
-        own = dict(inspect.getmembers(cv.ximgproc.SuperpixelGWatershed, callable))
+        own = dict(inspect.getmembers(ximgproc.SuperpixelGWatershed, callable))
         names = {name for name in own if not name.startswith("_")}
-        self.assertEqual(names - set(dir(cv.Algorithm)), set(METHODS))
+        self.assertEqual(names - OF_ALGORITHM, set(METHODS))
         self.assertLessEqual({"clear", "empty", "read", "save", "write", "getDefaultName"}, names)
 
+    @unittest.skipIf(IS_PACKAGE, "it writes them in another way")
     def test_signatures(self):
-        self.assertEqual(signatures(cv.ximgproc.createSuperpixelGWatershed), FACTORY)
+        self.assertEqual(signatures(ximgproc.createSuperpixelGWatershed), FACTORY)
         for name, expected in METHODS.items():
-            self.assertEqual(signatures(getattr(cv.ximgproc.SuperpixelGWatershed, name)), expected, name)
+            self.assertEqual(signatures(getattr(ximgproc.SuperpixelGWatershed, name)), expected, name)
 
+    @unittest.skipUnless(IS_PACKAGE, "of the package")
+    def test_signatures_of_the_package(self):
+        functions = [(ximgproc.createSuperpixelGWatershed, FACTORY)]
+        functions += [(getattr(ximgproc.SuperpixelGWatershed, name), METHODS[name]) for name in METHODS]
+        for function, expected in functions:
+            of_cv2 = {line.split(" -> ")[0] for line in expected}
+            self.assertEqual(set(package_signatures(function)), of_cv2, function.__name__)
+
+    @unittest.skipIf(IS_PACKAGE, "it has no dots")
     def test_every_method_is_described(self):
         for name in METHODS:
-            text = getattr(cv.ximgproc.SuperpixelGWatershed, name).__doc__
+            text = getattr(ximgproc.SuperpixelGWatershed, name).__doc__
             description = [line for line in text.splitlines() if line.startswith(".") and line.strip(". ")]
             self.assertTrue(description, name)
 
     def test_factory_for_an_image(self):
         image = make_image()
-        labels = self.segment(image, cv.ximgproc.GWATERSHED, 8, 10.0)
+        labels = self.segment(image, ximgproc.GWATERSHED, 8, 10.0)
         self.assertEqual(labels.shape, image.shape[:2])
         self.assertEqual(labels.max() + 1, 48)
-        same = self.segment(image=image, algorithm=cv.ximgproc.GWATERSHED, region_size=8, ruler=10)
+        same = self.segment(image=image, algorithm=ximgproc.GWATERSHED, region_size=8, ruler=10)
         np.testing.assert_array_equal(labels, same)
         self.assertEqual(self.segment(image).max() + 1, 31)  # region_size 10
 
     def test_factory_for_an_image_with_depth(self):
         image, depth = make_image(), make_depth()
-        labels = self.segment(image, depth, cv.ximgproc.GWATERSHED, 8, 10.0, 0.25)
-        same = self.segment(image=image, depth=depth, algorithm=cv.ximgproc.GWATERSHED, region_size=8,
+        labels = self.segment(image, depth, ximgproc.GWATERSHED, 8, 10.0, 0.25)
+        same = self.segment(image=image, depth=depth, algorithm=ximgproc.GWATERSHED, region_size=8,
                             ruler=10, alpha=0.25)
         np.testing.assert_array_equal(labels, same)
         flat = np.full_like(image, 100)
@@ -126,20 +169,20 @@ class gwatershed_test(NewOpenCVTests):
 
     def test_factory_for_a_size(self):
         image = make_image()
-        by_position = cv.ximgproc.createSuperpixelGWatershed(64, 48, 3, 50)
-        by_keyword = cv.ximgproc.createSuperpixelGWatershed(
+        by_position = ximgproc.createSuperpixelGWatershed(64, 48, 3, 50)
+        by_keyword = ximgproc.createSuperpixelGWatershed(
             image_width=64, image_height=48, image_channels=3, num_superpixels=50,
-            algorithm=cv.ximgproc.GWATERSHED, ruler=10)
+            algorithm=ximgproc.GWATERSHED, ruler=10)
         for gws in (by_position, by_keyword):
-            gws.setAlgorithm(cv.ximgproc.GWATERSHED)
-            self.assertRaises(cv.error, gws.iterate)  # there is no image yet
+            gws.setAlgorithm(ximgproc.GWATERSHED)
+            self.assertRaises(Error, gws.iterate)  # there is no image yet
             gws.iterate(image)
             self.assertEqual(gws.getNumberOfSuperpixels(), 50)
         np.testing.assert_array_equal(self.labels_of(by_position), self.labels_of(by_keyword))
 
     def test_iterate(self):
         image, depth = make_image(), make_depth()
-        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws = ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.iterate(3)
         of_factory = self.labels_of(gws)
         gws.iterate(image, 3)
@@ -164,7 +207,7 @@ class gwatershed_test(NewOpenCVTests):
         self.assertEqual(self.segment(gray).shape, gray.shape)
 
     def test_masks(self):
-        gws = cv.ximgproc.createSuperpixelGWatershed(make_image(), region_size=8)
+        gws = ximgproc.createSuperpixelGWatershed(make_image(), region_size=8)
         gws.iterate()
         thick = gws.getLabelContourMask()
         thin = gws.getLabelContourMask(thick_line=False)
@@ -181,7 +224,7 @@ class gwatershed_test(NewOpenCVTests):
         mask = np.zeros(image.shape[:2], np.uint8)
         mask[5:30, 10:50] = 1
         mask[20:25, 20:30] = 0
-        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws = ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.setMask(mask)
         gws.iterate()
         labels = gws.getLabels()
@@ -199,7 +242,7 @@ class gwatershed_test(NewOpenCVTests):
         image = make_image()
         markers = np.zeros(image.shape[:2], np.int32)
         markers[3, 5:9], markers[40, 50], markers[0, 0] = 70000, 12, -1
-        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
         gws.setMarkers(markers)
         gws.iterate()
         labels = self.labels_of(gws)
@@ -209,7 +252,7 @@ class gwatershed_test(NewOpenCVTests):
     def test_statistics(self):
         image, depth = make_image(), make_depth()
         depth[10:20, 5:40] = 0
-        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws = ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.iterate()
         labels, number = gws.getLabels(), gws.getNumberOfSuperpixels()
         stats, centroids, colors, depths = gws.getStatistics(image, depth)
@@ -229,7 +272,7 @@ class gwatershed_test(NewOpenCVTests):
 
     def test_adjacency(self):
         image = make_image()
-        gws = cv.ximgproc.createSuperpixelGWatershed(image, region_size=8)
+        gws = ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.iterate()
         labels = gws.getLabels()
         pairs, lengths, contrasts = gws.getAdjacency(image, None)
@@ -242,7 +285,7 @@ class gwatershed_test(NewOpenCVTests):
         np.testing.assert_array_equal(lengths[:, 0], counts)
 
     def test_merging(self):
-        gws = cv.ximgproc.createSuperpixelGWatershed(make_image(), region_size=6)
+        gws = ximgproc.createSuperpixelGWatershed(make_image(), region_size=6)
         gws.iterate()
         fine = gws.getLabels()
         for number in (40, 10, 20):
@@ -254,7 +297,7 @@ class gwatershed_test(NewOpenCVTests):
 
     def test_temporal(self):
         image = make_image(120, 160)
-        gws = cv.ximgproc.createSuperpixelGWatershed(160, 120, 3, 60)
+        gws = ximgproc.createSuperpixelGWatershed(160, 120, 3, 60)
         gws.setTemporal(temporal=True)
         self.assertTrue(gws.getTemporal())
         gws.iterate(image)
@@ -263,8 +306,8 @@ class gwatershed_test(NewOpenCVTests):
         self.assertGreater(np.mean(self.labels_of(gws) == first), 0.7)
 
     def test_none_for_depth_is_no_depth(self):
-        image, create = make_image(), cv.ximgproc.createSuperpixelGWatershed
-        for algorithm in (cv.ximgproc.GWATERSHED, cv.ximgproc.RGWATERSHED):
+        image, create = make_image(), ximgproc.createSuperpixelGWatershed
+        for algorithm in (ximgproc.GWATERSHED, ximgproc.RGWATERSHED):
             expected = self.segment(image, algorithm, 8)
             for gws in (create(image, None, algorithm, 8), create(image, None, algorithm, 8, 10.0, 0.5),
                         create(image, None, algorithm=algorithm, region_size=8),
@@ -280,14 +323,15 @@ class gwatershed_test(NewOpenCVTests):
                 gws.iterate(image, 4)
                 np.testing.assert_array_equal(self.labels_of(gws), four)
         gws = create(image, None)
-        self.assertEqual((gws.getAlgorithm(), gws.getRegionSize()), (cv.ximgproc.RGWATERSHED, 10))
+        self.assertEqual((gws.getAlgorithm(), gws.getRegionSize()), (ximgproc.RGWATERSHED, 10))
 
     def test_none_for_a_number_is_its_default_or_throws(self):
-        gws = cv.ximgproc.createSuperpixelGWatershed(make_image())
+        gws = ximgproc.createSuperpixelGWatershed(make_image())
         for setter, getter, other, default in (
                 (gws.setAlpha, gws.getAlpha, 0.25, 0.5), (gws.setRuler, gws.getRuler, 3, 10),
-                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150), (gws.setRegionSize, gws.getRegionSize, 7, 10),
-                (gws.setAlgorithm, gws.getAlgorithm, cv.ximgproc.GWATERSHED, cv.ximgproc.RGWATERSHED)):
+                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150),
+                (gws.setRegionSize, gws.getRegionSize, 7, 10),
+                (gws.setAlgorithm, gws.getAlgorithm, ximgproc.GWATERSHED, ximgproc.RGWATERSHED)):
             setter(other)
             self.assertEqual(getter(), other)
             setter(None)
@@ -297,12 +341,12 @@ class gwatershed_test(NewOpenCVTests):
         self.assertEqual((gws.getFarDepth(), gws.getHighValue()), (0, 0))
         gws.iterate()
         for call in (gws.setDesiredSuperpixels, gws.mergeSimilar):
-            self.assertRaises(cv.error, call, None)
+            self.assertRaises(Error, call, None)
 
     def test_values_of_every_type(self):
         image = make_image()
         labels = self.segment(image)
-        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
         gws.setValueRange(0, 255)
         for dtype in (np.int16, np.int32, np.int64, np.float32, np.float64):
             gws.iterate(image.astype(dtype))
@@ -316,17 +360,17 @@ class gwatershed_test(NewOpenCVTests):
 
     def test_arrays_without_memory(self):
         image = make_image()
-        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
         gws.iterate()
         for dtype in (np.uint8, np.float32):
             nothing = np.zeros(image.shape[:2] + (0,), dtype)
-            self.assertRaises(cv.error, gws.getStatistics, nothing, None)
-            self.assertRaises(cv.error, gws.iterate, nothing)
-        self.assertRaises(cv.error, gws.getStatistics, np.zeros(image.shape[:2] + (513,), np.uint8), None)
+            self.assertRaises(Error, gws.getStatistics, nothing, None)
+            self.assertRaises(Error, gws.iterate, nothing)
+        self.assertRaises(Error, gws.getStatistics, np.zeros(image.shape[:2] + (513,), np.uint8), None)
 
     def test_two_threads(self):
         image = make_image(240, 320)
-        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
         others = []
 
         def work():
@@ -334,7 +378,7 @@ class gwatershed_test(NewOpenCVTests):
                 try:
                     gws.iterate(image)
                     gws.getLabels()
-                except cv.error as error:
+                except Error as error:
                     if "in use by another thread" not in str(error):
                         others.append(str(error))
 
@@ -348,14 +392,14 @@ class gwatershed_test(NewOpenCVTests):
         self.labels_of(gws)
 
     def test_parameters(self):
-        gws = cv.ximgproc.createSuperpixelGWatershed(make_image())
-        gws.setAlgorithm(cv.ximgproc.GWATERSHED)
+        gws = ximgproc.createSuperpixelGWatershed(make_image())
+        gws.setAlgorithm(ximgproc.GWATERSHED)
         gws.setDesiredSuperpixels(77)
         gws.setRuler(3.5)
         gws.setAlpha(0.75)
         gws.setDepthRange(400, 4000)
         gws.setBorderThreshold(100)
-        self.assertEqual(gws.getAlgorithm(), cv.ximgproc.GWATERSHED)
+        self.assertEqual(gws.getAlgorithm(), ximgproc.GWATERSHED)
         self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (77, 0))
         self.assertEqual((gws.getRuler(), gws.getAlpha()), (3.5, 0.75))
         self.assertEqual((gws.getNearDepth(), gws.getFarDepth()), (400, 4000))
@@ -366,11 +410,11 @@ class gwatershed_test(NewOpenCVTests):
 
     def test_errors(self):
         image = make_image()
-        gws = cv.ximgproc.createSuperpixelGWatershed(image)
+        gws = ximgproc.createSuperpixelGWatershed(image)
         self.assertTrue(gws.empty())
         for call in (gws.getLabels, lambda: gws.setRegionSize(0), lambda: gws.setAlpha(2),
                      lambda: gws.iterate(np.dstack([image, image])), lambda: gws.iterate(image, image)):
-            self.assertRaises(cv.error, call)
+            self.assertRaises(Error, call)
         gws.iterate()
         self.labels_of(gws)
         gws.clear()
@@ -378,4 +422,4 @@ class gwatershed_test(NewOpenCVTests):
 
 
 if __name__ == "__main__":
-    NewOpenCVTests.bootstrap()
+    unittest.main() if IS_PACKAGE else TestCase.bootstrap()

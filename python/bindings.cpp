@@ -1,0 +1,304 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+//! @file The module gwatershed._native: the class, with the names, keywords and behaviour of cv2.ximgproc. Where an
+//! argument can be an array or a number, the overloads with arrays come first.
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "parameters.hpp"
+#include "results/statistics.hpp"
+
+#include <opencv2/core/utility.hpp>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+
+namespace gwatershed
+{
+
+using cv::Mat;
+using SessionPtr = std::shared_ptr<Session>;
+using OptionalInt = std::optional<int>;
+using OptionalFloat = std::optional<float>;
+
+namespace
+{
+
+const float default_ruler = 10.f;
+const float default_alpha = 0.5f;
+const int default_region_size = 10;
+
+template <typename Make> SessionPtr makeSession(Make make)
+{
+    py::gil_scoped_release released;
+    return std::make_shared<Session>(make());
+}
+
+//! One that waits for images of any size.
+SessionPtr construct(const py::kwargs& parameters)
+{
+    const SessionPtr session = makeSession([] { return cv::ximgproc::createSuperpixelGWatershed(1, 1, 3, 1); });
+    session->call([](SuperpixelGWatershed& superpixels) { superpixels.setRegionSize(default_region_size); });
+    setParameters(*session, parameters);
+    return session;
+}
+
+SessionPtr createForSize(int image_width, int image_height, int image_channels, int num_superpixels,
+                         OptionalInt algorithm, OptionalFloat ruler)
+{
+    return makeSession([&] {
+        return cv::ximgproc::createSuperpixelGWatershed(image_width, image_height, image_channels, num_superpixels,
+                                                        algorithm.value_or(cv::ximgproc::RGWATERSHED),
+                                                        ruler.value_or(default_ruler));
+    });
+}
+
+SessionPtr createForImage(const Array& image, int algorithm, OptionalInt region_size, OptionalFloat ruler)
+{
+    const Pixels pixels = takePixels(image, "image");
+    return makeSession([&] {
+        return cv::ximgproc::createSuperpixelGWatershed(pixels.matrix, algorithm,
+                                                        region_size.value_or(default_region_size),
+                                                        ruler.value_or(default_ruler));
+    });
+}
+
+SessionPtr createForDepth(const Array& image, const OptionalArray& depth, OptionalInt algorithm,
+                          OptionalInt region_size, OptionalFloat ruler, OptionalFloat alpha)
+{
+    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const int method = algorithm.value_or(cv::ximgproc::RGWATERSHED);
+    const int size = region_size.value_or(default_region_size);
+    return makeSession([&] {
+        if (!depth.values.is_none())
+            return cv::ximgproc::createSuperpixelGWatershed(pixels.matrix, depths.matrix, method, size,
+                                                            ruler.value_or(default_ruler),
+                                                            alpha.value_or(default_alpha));
+        const auto made = cv::ximgproc::createSuperpixelGWatershed(pixels.matrix, method, size,
+                                                                   ruler.value_or(default_ruler));
+        made->setAlpha(alpha.value_or(default_alpha));
+        return made;
+    });
+}
+
+void iterateAgain(Session& session, OptionalInt num_iterations)
+{
+    session.call([&](SuperpixelGWatershed& superpixels) { superpixels.iterate(num_iterations.value_or(1)); });
+}
+
+void iterateImage(Session& session, const Array& image, OptionalInt num_iterations)
+{
+    const Pixels pixels = takePixels(image, "image");
+    session.call([&](SuperpixelGWatershed& superpixels) {
+        superpixels.iterate(pixels.matrix, num_iterations.value_or(1));
+    });
+}
+
+void iterateDepth(Session& session, const Array& image, const OptionalArray& depth, OptionalInt num_iterations)
+{
+    if (depth.values.is_none())
+        return iterateImage(session, image, num_iterations);
+    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    session.call([&](SuperpixelGWatershed& superpixels) {
+        superpixels.iterate(pixels.matrix, depths.matrix, num_iterations.value_or(1));
+    });
+}
+
+//! An output of the size of the image: into the array that is given, or a new one.
+template <typename Work> py::object getMap(Session& session, const py::object& given, const char* name, Work work)
+{
+    Mat map = takeOutput(given, name);
+    session.call([&](SuperpixelGWatershed& superpixels) { work(superpixels, map); });
+    return giveArray(map, given);
+}
+
+py::object getLabels(Session& session, const py::object& labels_out)
+{
+    return getMap(session, labels_out, "labels_out",
+                  [](SuperpixelGWatershed& superpixels, Mat& map) { superpixels.getLabels(map); });
+}
+
+py::object getLabelContourMask(Session& session, const py::object& image, bool thick_line)
+{
+    return getMap(session, image, "image", [=](SuperpixelGWatershed& superpixels, Mat& map) {
+        superpixels.getLabelContourMask(map, thick_line);
+    });
+}
+
+py::object getWatershedLineMask(Session& session, const py::object& image)
+{
+    return getMap(session, image, "image",
+                  [](SuperpixelGWatershed& superpixels, Mat& map) { superpixels.getWatershedLineMask(map); });
+}
+
+py::tuple getStatistics(Session& session, const OptionalArray& image, const OptionalArray& depth,
+                        const py::object& stats, const py::object& centroids, const py::object& mean_colors,
+                        const py::object& mean_depths)
+{
+    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    Mat tables[] = {takeOutput(stats, "stats"), takeOutput(centroids, "centroids"),
+                    takeOutput(mean_colors, "mean_colors"), takeOutput(mean_depths, "mean_depths")};
+    session.call([&](SuperpixelGWatershed& superpixels) {
+        superpixels.getStatistics(pixels.matrix, depths.matrix, tables[0], tables[1], tables[2], tables[3]);
+    });
+    return py::make_tuple(giveArray(tables[0], stats), giveArray(tables[1], centroids),
+                          giveArray(tables[2], mean_colors), giveArray(tables[3], mean_depths));
+}
+
+py::tuple getAdjacency(Session& session, const OptionalArray& image, const OptionalArray& depth,
+                       const py::object& pairs, const py::object& lengths, const py::object& contrasts)
+{
+    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    Mat tables[] = {takeOutput(pairs, "pairs"), takeOutput(lengths, "lengths"), takeOutput(contrasts, "contrasts")};
+    session.call([&](SuperpixelGWatershed& superpixels) {
+        superpixels.getAdjacency(pixels.matrix, depths.matrix, tables[0], tables[1], tables[2]);
+    });
+    return py::make_tuple(giveArray(tables[0], pairs), giveArray(tables[1], lengths),
+                          giveArray(tables[2], contrasts));
+}
+
+void setMask(Session& session, const OptionalArray& mask)
+{
+    const Pixels pixels = takeMask(mask);
+    session.call([&](SuperpixelGWatershed& superpixels) { superpixels.setMask(pixels.matrix); });
+}
+
+void setMarkers(Session& session, const OptionalArray& markers)
+{
+    const Pixels pixels = takePixels(markers, "markers");
+    session.call([&](SuperpixelGWatershed& superpixels) { superpixels.setMarkers(pixels.matrix); });
+}
+
+//! Tables of any label map; labels are below num_labels, and pixels with one below 0 do not count.
+py::tuple measure(const Array& labels, int num_labels, const OptionalArray& image, const OptionalArray& depth)
+{
+    const Pixels map = takePixels(labels, "labels");
+    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    Mat stats, centroids, mean_colors, mean_depths;
+    {
+        py::gil_scoped_release released;
+        CV_CheckTypeEQ(map.matrix.type(), CV_32SC1, "labels must be of the type int32");
+        CV_Check(pixels.matrix.size(), pixels.matrix.empty() || pixels.matrix.size() == map.matrix.size(),
+                 "image must have the size of labels");
+        CV_Check(depths.matrix.size(), depths.matrix.empty() || depths.matrix.size() == map.matrix.size(),
+                 "depth must have the size of labels");
+        const int type = depths.matrix.type();
+        CV_CheckType(type, depths.matrix.empty() || type == CV_8UC1 || type == CV_16UC1 || type == CV_32FC1,
+                     "depth must be of the type uint8, uint16 or float32, with one channel");
+        cv::ximgproc::gws::measureSuperpixels(map.matrix, num_labels, pixels.matrix, depths.matrix, stats, centroids,
+                                              mean_colors, mean_depths);
+    }
+    return py::make_tuple(giveArray(stats), giveArray(centroids), giveArray(mean_colors), giveArray(mean_depths));
+}
+
+void bindResults(SessionClass& to)
+{
+    const py::object none = py::none();
+    to.def("getNumberOfSuperpixels", [](Session& session) {
+        return session.call([](SuperpixelGWatershed& superpixels) { return superpixels.getNumberOfSuperpixels(); });
+    }, "Number of superpixels N, 0 before the first iterate().");
+    to.def("getLabels", getLabels, py::arg("labels_out") = none,
+           "The label map, int32: values in [0, N), -1 outside of a mask.");
+    to.def("getLabelContourMask", getLabelContourMask, py::arg("image") = none, py::arg("thick_line") = true,
+           "A mask, uint8: 255 on the contours.");
+    to.def("getWatershedLineMask", getWatershedLineMask, py::arg("image") = none,
+           "A mask, uint8: 255 on the watershed lines of GWATERSHED.");
+    to.def("getStatistics", getStatistics, py::arg("image"), py::arg("depth"), py::arg("stats") = none,
+           py::arg("centroids") = none, py::arg("mean_colors") = none, py::arg("mean_depths") = none,
+           "Area and bounding box, centroid, mean colour and mean depth of each superpixel.");
+    to.def("getAdjacency", getAdjacency, py::arg("image"), py::arg("depth"), py::arg("pairs") = none,
+           py::arg("lengths") = none, py::arg("contrasts") = none,
+           "Pairs of superpixels that touch, the lengths of their boundaries, and the contrasts across them.");
+}
+
+void bindSteps(SessionClass& to)
+{
+    to.def("iterate", iterateDepth, py::arg("image"), py::arg("depth"), py::arg("num_iterations") = py::none(),
+           "Segments an image with its depth; None is no depth.");
+    to.def("iterate", iterateImage, py::arg("image"), py::arg("num_iterations") = py::none(), "Segments an image.");
+    to.def("iterate", iterateAgain, py::arg("num_iterations") = py::none(),
+           "Segments the image that was given to the factory.");
+    to.def("enforceLabelConnectivity", [](Session& session, OptionalInt min_element_size) {
+        session.call([&](SuperpixelGWatershed& superpixels) {
+            superpixels.enforceLabelConnectivity(min_element_size.value_or(25));
+        });
+    }, py::arg("min_element_size") = py::none(), "Merges superpixels smaller than so many percent of the mean.");
+    to.def("mergeSimilar", [](Session& session, int num_superpixels) {
+        session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSimilar(num_superpixels); });
+    }, py::arg("num_superpixels"), "Merges neighbours, the most similar first, until a number is left.");
+    to.def("mergeSmall", [](Session& session, int min_area) {
+        session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSmall(min_area); });
+    }, py::arg("min_area"), "Merges superpixels of fewer pixels into a neighbour.");
+    to.def("setMask", setMask, py::arg("mask"), "Restricts the segmentation; bool or uint8. None: no mask.");
+    to.def("setMarkers", setMarkers, py::arg("markers"),
+           "Sets the markers that superpixels grow from; int32. None: no markers.");
+}
+
+//! What the class has from cv::Algorithm, and what pickle and copy need: a copy has the parameters, and nothing else.
+void bindParametersAsAWhole(SessionClass& to)
+{
+    to.def("clear", [](Session& session) {
+        session.call([](SuperpixelGWatershed& superpixels) { superpixels.clear(); });
+    }, "Drops all but the parameters.");
+    to.def("empty", [](Session& session) {
+        return session.call([](SuperpixelGWatershed& superpixels) { return superpixels.empty(); });
+    }, "Whether there is no segmentation.");
+    to.def("getDefaultName", [](Session& session) {
+        return session.call([](SuperpixelGWatershed& superpixels) {
+            return std::string(superpixels.getDefaultName());
+        });
+    }, "The name of the class in files of parameters.");
+    to.def("save", [](Session& session, const std::string& filename) {
+        session.call([&](SuperpixelGWatershed& superpixels) { superpixels.save(filename); });
+    }, py::arg("filename"), "Writes the parameters to a file.");
+    to.def("write", &Session::write, "The parameters as text.");
+    to.def("read", &Session::read, py::arg("parameters"), "Takes the parameters from what write() gave.");
+    to.def("__reduce__", [](Session& session) {
+        const py::object restore = py::module_::import("gwatershed.parameters").attr("restore");
+        return py::make_tuple(restore, py::make_tuple(session.write()));
+    });
+}
+
+void bindFactories(py::module_& to)
+{
+    const py::object none = py::none();
+    const char* name = "createSuperpixelGWatershed";
+    to.def(name, createForImage, py::arg("image"), py::arg("algorithm"), py::arg("region_size") = none,
+           py::arg("ruler") = none, "Makes an object for an image.");
+    to.def(name, createForDepth, py::arg("image"), py::arg("depth") = none, py::arg("algorithm") = none,
+           py::arg("region_size") = none, py::arg("ruler") = none, py::arg("alpha") = none,
+           "Makes an object for an image, with depth where that is not None.");
+    to.def(name, createForSize, py::arg("image_width"), py::arg("image_height"), py::arg("image_channels"),
+           py::arg("num_superpixels"), py::arg("algorithm") = none, py::arg("ruler") = none,
+           "Makes an object for images of a size.");
+}
+
+} // namespace
+
+PYBIND11_MODULE(_native, module)
+{
+    translateErrors();
+    module.doc() = "The class of gwatershed, as cv2.ximgproc has it where OpenCV was built with the module.";
+    module.attr("GWATERSHED") = int(cv::ximgproc::GWATERSHED);
+    module.attr("RGWATERSHED") = int(cv::ximgproc::RGWATERSHED);
+    module.attr("__opencv_version__") = cv::getVersionString();
+
+    SessionClass session_class(module, "SuperpixelGWatershed",
+                               "Superpixels by a marker-controlled watershed on a gradient map.");
+    session_class.def(py::init(&construct), "Takes parameters by keyword; waits for iterate(image).");
+    bindSteps(session_class);
+    bindResults(session_class);
+    bindParameters(session_class);
+    bindParametersAsAWhole(session_class);
+    bindFactories(module);
+
+    module.def("setNumThreads", &cv::setNumThreads, py::arg("nthreads"), "Number of threads; 1: no others.");
+    module.def("getNumThreads", &cv::getNumThreads, "Number of threads.");
+    module.def("_measure", measure, py::arg("labels"), py::arg("num_labels"), py::arg("image"), py::arg("depth"),
+               "Statistics of any label map; see gwatershed.superpixels.");
+}
+
+} // namespace gwatershed

@@ -1,0 +1,142 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""The command gwatershed: superpixels of images in files."""
+import argparse
+import sys
+import time
+from pathlib import Path
+from typing import Any, List, Optional, Tuple
+
+import numpy as np
+
+from .segmentation import segment, superpixels
+
+DESCRIPTION = "Divides images into superpixels and writes a picture of each."
+EXAMPLES = """examples:
+  gwatershed image.jpg -o contours.png
+  gwatershed image.jpg -o labels.tiff --show labels --depth depth.png --number 400
+  gwatershed photographs/*.jpg -o folder
+
+The exit code is 0, 1 if a file could not be read, segmented or written, or 2 for wrong arguments."""
+RED = (255, 0, 0)
+
+
+def contours(image: Any, labels: Any) -> Any:
+    """The image with a red line of one pixel where the label changes."""
+    line = np.zeros(labels.shape, bool)
+    line[:, :-1] |= labels[:, :-1] != labels[:, 1:]
+    line[:-1] |= labels[:-1] != labels[1:]
+    picture = image.copy()
+    picture[line] = RED
+    return picture
+
+
+def mean_colors(image: Any, labels: Any) -> Any:
+    """Each pixel with the mean colour of its superpixel."""
+    return superpixels(labels, image)["mean_color"].round().astype(np.uint8)[labels]
+
+
+def smallest_labels(_: Any, labels: Any) -> Any:
+    """Labels as 16 bits where they fit, else 32."""
+    return labels.astype(np.uint16) if labels.max() < 65536 else labels
+
+
+PICTURES = {"contours": contours, "mean": mean_colors, "labels": smallest_labels}
+
+
+def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="gwatershed", description=DESCRIPTION, epilog=EXAMPLES,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("images", nargs="+", metavar="IMAGE", help="image file, of a kind that Pillow reads")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE",
+                        help="picture to write; a folder for several images; .npy is an array of NumPy")
+    parser.add_argument("-d", "--depth", metavar="FILE",
+                        help="depth of the image: 8 or 16 bits, or float; 0 is missing")
+    size = parser.add_mutually_exclusive_group()
+    size.add_argument("-k", "--number", type=int, metavar="N", help="number of superpixels, met exactly")
+    size.add_argument("-s", "--region-size", type=int, metavar="N", help="side of a superpixel in pixels; default 20")
+    parser.add_argument("-r", "--ruler", type=float, default=10, help="compactness; default %(default)s")
+    parser.add_argument("-a", "--alpha", type=float, default=0.5,
+                        help="weight of colour against depth; default %(default)s")
+    parser.add_argument("-n", "--iterations", type=int, default=1, metavar="N",
+                        help="more of them follow the image better; default %(default)s")
+    parser.add_argument("--show", choices=sorted(PICTURES), default="contours",
+                        help="what to write: the image with contours (the default), mean colours, or labels as numbers")
+    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but errors")
+    parsed = parser.parse_args(arguments)
+    if parsed.depth and len(parsed.images) > 1:
+        parser.error("--depth goes with one image")
+    if len(parsed.images) > 1 and len({Path(image).stem for image in parsed.images}) < len(parsed.images):
+        parser.error("two images would be written to the same file")
+    return parsed
+
+
+def read_image(name: str) -> Any:
+    from PIL import Image
+    with Image.open(name) as image:
+        return np.asarray(image.convert("RGB"))
+
+
+def read_depth(name: str) -> Any:
+    """Pillow has 16 bits of some files as 32."""
+    from PIL import Image
+    with Image.open(name) as image:
+        depth = np.asarray(image)
+    if depth.dtype.kind in "iu" and depth.dtype.itemsize > 2:
+        if depth.min() < 0 or depth.max() > 65535:
+            raise ValueError("depth must fit 16 bits")
+        return depth.astype(np.uint16)
+    return depth
+
+
+def write(name: Path, picture: Any) -> None:
+    from PIL import Image
+    if name.suffix == ".npy":
+        np.save(name, picture)
+    else:
+        Image.fromarray(picture).save(name)
+
+
+def output_of(name: str, arguments: argparse.Namespace) -> Path:
+    """A file, or for several images one in the folder."""
+    output = Path(arguments.output)
+    if len(arguments.images) == 1 and not output.is_dir():
+        return output
+    output.mkdir(parents=True, exist_ok=True)
+    return output / (Path(name).stem + ".png")
+
+
+def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
+    """Segments one file; returns the number of superpixels and the milliseconds that it took."""
+    image = read_image(name)
+    depth = read_depth(arguments.depth) if arguments.depth else None
+    size = {"num_superpixels": arguments.number} if arguments.number is not None else {
+        "region_size": 20 if arguments.region_size is None else arguments.region_size}
+    start = time.perf_counter()
+    labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
+                     alpha=arguments.alpha, **size)
+    milliseconds = 1000 * (time.perf_counter() - start)
+    write(output_of(name, arguments), PICTURES[arguments.show](image, labels))
+    return int(labels.max()) + 1, milliseconds
+
+
+def main(arguments: Optional[List[str]] = None) -> int:
+    parsed = parse(arguments)
+    try:
+        import PIL  # noqa: F401
+    except ImportError:
+        print("gwatershed: the command needs Pillow: pip install gwatershed[command], or python3-pil", file=sys.stderr)
+        return 1
+    failed = 0
+    for number, name in enumerate(parsed.images, 1):
+        try:
+            count, milliseconds = process(name, parsed)
+        except (OSError, ValueError, MemoryError) as error:
+            print("gwatershed: %s: %s" % (name, error), file=sys.stderr)
+            failed += 1
+            continue
+        if not parsed.quiet:
+            print("%d/%d %s: %d superpixels, %.0f ms" % (number, len(parsed.images), name, count, milliseconds),
+                  flush=True)
+    return 1 if failed else 0

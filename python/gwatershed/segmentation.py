@@ -1,0 +1,147 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""Functions in the manner of scikit-image: an image in, labels out."""
+from typing import Any, Optional
+
+import numpy as np
+
+from ._native import SuperpixelGWatershed, _measure
+
+
+def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: Optional[int] = None,
+            depth: Any = None, mask: Any = None, markers: Any = None, num_iterations: int = 1,
+            start_label: int = 0, bgr: bool = False, **parameters: Any) -> Any:
+    """Divides an image into superpixels and returns their labels, int32.
+
+    image: height x width, or with 1, 3 or 4 channels as third dimension; uint8, uint16, or a float from 0 to 1. Three
+        channels are RGB, as scikit-image, Pillow and imageio read them; see bgr.
+    region_size: side of a superpixel in pixels; 10 if neither this nor num_superpixels is given.
+    num_superpixels: number of superpixels, met exactly, instead of region_size.
+    depth: depth map of the same size, uint16, float or uint8; 0, NaN and infinity are missing.
+    mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
+    markers: integers, positive ones are markers that superpixels grow from.
+    num_iterations: more of them follow the image better.
+    start_label: label of the first superpixel. regionprops() of scikit-image needs 1.
+    bgr: whether three channels are BGR, as cv2.imread() gives them.
+    parameters: others of SuperpixelGWatershed, as ruler=10, alpha=0.5, lab_input=False, depth_range=(0.4, 4).
+    """
+    if region_size is not None and num_superpixels is not None:
+        raise ValueError("give region_size or num_superpixels, not both")
+    if region_size is not None:
+        parameters["region_size"] = region_size
+    if num_superpixels is not None:
+        parameters["num_superpixels"] = num_superpixels
+    gws = SuperpixelGWatershed(**parameters)
+    gws.setMask(_inside(mask))
+    gws.setMarkers(_int32(markers, "markers"))
+    gws.iterate(_colors(image, bgr or gws.getLabInput()), _single(depth), num_iterations)
+    labels = gws.getLabels()
+    if start_label:
+        labels += np.int32(start_label)
+    return labels
+
+
+def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_label: int = 0) -> Any:
+    """Measures the superpixels of a label map in one pass, into a structured array: a row for each label that occurs.
+
+    labels: integers; pixels below start_label are outside.
+    image: image of that size, of any number of channels, for mean_color.
+    depth: depth of that size, for mean_depth.
+
+    Fields: label, area, bbox (min_row, min_col, max_row, max_col; half open, as of regionprops()), centroid (row, col),
+    mean_color, in the order of the channels of image, and mean_depth, NaN where no depth is valid.
+    """
+    labels = np.asarray(labels)
+    if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
+        raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
+    names, numbers = _compact(labels, start_label)
+    colors = None if image is None else _measurable(image)
+    stats, centroids, mean_colors, mean_depths = _measure(numbers, len(names), colors, _single(depth))
+    channels = () if mean_colors is None else (mean_colors.shape[1],)
+    table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None))
+    if len(names) == 0:
+        return table
+    table["label"] = names
+    table["area"] = stats[:, 4]
+    left, top, width, height = stats[:, :4].T
+    table["bbox"] = np.stack([top, left, top + height, left + width], axis=1)
+    table["centroid"] = centroids[:, ::-1]
+    if image is not None:
+        table["mean_color"] = mean_colors
+    if depth is not None:
+        table["mean_depth"] = mean_depths[:, 0]
+    return table[table["area"] > 0]
+
+
+def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool) -> Any:
+    fields: Any = [("label", label_type), ("area", np.int32), ("bbox", np.int32, (4,)), ("centroid", np.float64, (2,))]
+    if with_color:
+        fields.append(("mean_color", np.float32, channels))
+    if with_depth:
+        fields.append(("mean_depth", np.float32))
+    return fields
+
+
+def _compact(labels: Any, start_label: int) -> Any:
+    """The labels that there may be, and the map with their numbers, 0 .. N-1, as int32; -1 outside."""
+    last = int(labels.max())
+    if last < start_label:
+        return np.zeros(0, labels.dtype), np.full(labels.shape, -1, np.int32)
+    number = last - start_label + 1
+    if number <= labels.size:  # nearly all occur
+        outside = labels < start_label
+        numbers = (labels - labels.dtype.type(start_label)).astype(np.int32)
+        numbers[outside] = -1
+        return np.arange(start_label, last + 1).astype(labels.dtype), numbers
+    names, inverse = np.unique(labels, return_inverse=True)
+    first = int(np.searchsorted(names, start_label))
+    numbers = np.maximum(inverse.reshape(labels.shape) - first, -1).astype(np.int32)
+    return names[first:], numbers
+
+
+def _single(values: Any) -> Any:
+    """float64 as float32."""
+    if values is None:
+        return None
+    values = np.asarray(values)
+    return values.astype(np.float32) if values.dtype == np.float64 else values
+
+
+def _colors(image: Any, as_they_are: bool) -> Any:
+    """The image in the order of the channels that the class takes."""
+    image = _single(_array(image))
+    if image.ndim == 3 and image.shape[2] in (3, 4) and not as_they_are:
+        return image[:, :, 2::-1]
+    return image
+
+
+def _array(image: Any) -> Any:
+    if image is None:
+        raise ValueError("image must not be None")
+    return np.asarray(image)
+
+
+def _measurable(image: Any) -> Any:
+    """Integers of types that the class does not measure as float64."""
+    image = np.asarray(image)
+    if image.dtype.kind == "b" or (image.dtype.kind in "iu" and image.dtype.itemsize >= 4 and image.dtype != np.int32):
+        return image.astype(np.float64)
+    return image
+
+
+def _inside(mask: Any) -> Any:
+    """A mask as bool."""
+    return None if mask is None else np.asarray(mask) != 0
+
+
+def _int32(values: Any, name: str) -> Any:
+    """Integers of any type as int32."""
+    if values is None:
+        return None
+    values = np.asarray(values)
+    if values.dtype.kind not in "biu":
+        raise ValueError("%s must be integers, not %s" % (name, values.dtype))
+    if values.size and not -2**31 <= int(values.min()) <= int(values.max()) < 2**31:
+        raise ValueError("%s must fit 32 bits" % name)
+    return values.astype(np.int32, copy=False)

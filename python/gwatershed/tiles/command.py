@@ -1,0 +1,58 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""The command gwatershed-tiles: superpixels of an image file of any size."""
+import argparse
+import sys
+from typing import List, Optional
+
+from .run import segment_file
+
+DESCRIPTION = "Segments an image that may be larger than memory into superpixels."
+EXAMPLES = """examples:
+  gwatershed-tiles orthophoto.tif labels.tif --region-size 20
+  gwatershed-tiles slide.zarr labels.zarr --region-size 30 --scheduler tcp://head:8786
+
+After it was stopped, the same command goes on where it was. The exit code is 0, 1 for an error, or 2 for wrong
+arguments."""
+
+
+def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="gwatershed-tiles", description=DESCRIPTION, epilog=EXAMPLES,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("image", help="GeoTIFF, what else GDAL reads, or an array of Zarr")
+    parser.add_argument("output", help="labels to write: .zarr, or else a GeoTIFF")
+    parser.add_argument("--region-size", type=int, default=20, metavar="N", help="side of a superpixel in pixels")
+    parser.add_argument("--ruler", type=float, default=10, help="compactness; default %(default)s")
+    parser.add_argument("--iterations", type=int, default=1, metavar="N")
+    parser.add_argument("--bands", type=int, nargs="+", metavar="N", help="one or three bands, from 1 on")
+    parser.add_argument("--value-range", type=float, nargs=2, metavar=("LOW", "HIGH"),
+                        help="values that become black and white")
+    parser.add_argument("--depth", metavar="FILE")
+    parser.add_argument("--depth-range", type=float, nargs=2, metavar=("NEAR", "FAR"))
+    parser.add_argument("--tile-size", type=int, default=2048, metavar="N")
+    parser.add_argument("--scheduler", default="threads", metavar="ADDRESS",
+                        help="of dask.distributed; or threads, processes, single-threaded; default %(default)s")
+    parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; default: one a processor")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar")
+    return parser.parse_args(arguments)
+
+
+def main(arguments: Optional[List[str]] = None) -> int:
+    parsed = parse(arguments)
+    try:
+        number = segment_file(
+            parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,
+            value_range=parsed.value_range, depth_range=parsed.depth_range, num_iterations=parsed.iterations,
+            tile_size=parsed.tile_size, scheduler=parsed.scheduler, workers=parsed.workers,
+            progress=not parsed.quiet, ruler=parsed.ruler)
+    except (OSError, ValueError, MemoryError, ImportError) as error:
+        print("gwatershed-tiles: %s" % error, file=sys.stderr)
+        return 1
+    if not parsed.quiet:
+        print("%d superpixels" % number)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,150 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""A run over all tiles: by Dask, resumable after it was stopped."""
+import json
+import os
+import shutil
+from contextlib import nullcontext
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .sources import Source, is_zarr
+from .tiling import Tiling, Window
+from .work import Job, do_tile, final_labels, number_tile
+
+
+def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optional[str] = None,
+                 bands: Optional[Sequence[int]] = None, value_range: Optional[Tuple[float, float]] = None,
+                 depth_range: Optional[Tuple[float, float]] = None, num_iterations: int = 1, start_label: int = 1,
+                 tile_size: int = 2048, scheduler: Any = "threads", workers: Optional[int] = None,
+                 progress: bool = False, **parameters: Any) -> int:
+    """Segments an image file of any size into a file of labels, int64, and returns the number of superpixels N.
+
+    image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands.
+    output: .zarr, or else a GeoTIFF with the georeference of the image. Labels are start_label .. start_label + N - 1,
+        and start_label - 1 where the image has no data.
+    region_size: side of a superpixel in pixels.
+    depth: file of the depth, of the same size.
+    bands: one or three of the image, from 1 on; the first three by default. Three are red, green and blue.
+    value_range: values that become black and white; by default 8 bits are taken as they are, and others from the 1st
+        to the 99th percentile of the image.
+    depth_range: depths that are told apart; by default from the 1st to the 99th percentile. 8 bits have none.
+    tile_size: side of a tile in pixels. It changes the labels, and the memory: about 100 bytes for each of its pixels
+        and worker.
+    scheduler: "threads", "processes", "single-threaded", the address of a scheduler of dask.distributed, or a Client.
+        Workers of a cluster must see the files under the same names. It changes nothing in the labels.
+    workers: number of threads or processes.
+    progress: whether to show Dask's progress bar.
+    parameters: others of SuperpixelGWatershed, as ruler=10.
+
+    What is done is kept beside the output, in the folder output + ".part", until all is done: the same call goes on
+    from there. It takes 8 bytes for each pixel, compressed.
+    """
+    source = Source.open(image, None if bands is None else tuple(bands))
+    depths = None if depth is None else Source.open(depth, single=True)
+    if depths is not None and (depths.height, depths.width) != (source.height, source.width):
+        raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
+    if depths is not None and depth_range is None:
+        depth_range = depths.range()
+    if depth_range is not None:
+        parameters["depth_range"] = tuple(depth_range)
+    parameters.update(region_size=region_size, num_iterations=num_iterations)
+    tiling = Tiling.of(source.height, source.width, tile_size, region_size)
+    job = Job(source, depths, value_range or source.range(), tiling, parameters, os.path.abspath(output) + ".part")
+    _begin(job)
+    compute = _scheduler(scheduler, workers, progress)
+    number = _do_tiles(job, compute)
+    _write(job, output, start_label, compute)
+    shutil.rmtree(job.store)
+    return number
+
+
+def _begin(job: Job) -> None:
+    """Makes the store, or takes up one of the same job."""
+    import zarr
+    kept = os.path.join(job.store, "job.json")
+    description = json.dumps(json.loads(json.dumps(job.__dict__, default=lambda value: value.__dict__, sort_keys=True)))
+    if os.path.exists(kept):
+        with open(kept) as file:
+            if file.read() != description:
+                raise ValueError("%s is left from a run with another image or other parameters: remove it" % job.store)
+        return
+    shutil.rmtree(job.store, ignore_errors=True)
+    tiling = job.tiling
+    chunks = (tiling.chunk, tiling.chunk)
+    zarr.open(os.path.join(job.store, "labels"), mode="w", shape=(tiling.height, tiling.width), chunks=chunks,
+              dtype=np.int64, fill_value=0)
+    zarr.open(os.path.join(job.store, "counts"), mode="w", shape=(tiling.rows, tiling.columns), chunks=(1, 1),
+              dtype=np.int64, fill_value=-1)
+    with open(kept, "w") as file:
+        file.write(description)
+
+
+def _do_tiles(job: Job, compute: Any) -> int:
+    from dask import delayed
+    do = delayed(do_tile, pure=False)
+    tasks: Any = {}
+    for tile in job.tiling.in_order():
+        tasks[tile] = do(job, tile, *(tasks[other] for other in job.tiling.earlier_neighbours(tile)))
+    return int(sum(compute([tasks[tile] for tile in range(len(job.tiling))])))
+
+
+def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Any:
+    """A function that computes a list of tasks."""
+    import dask
+    from dask.diagnostics import ProgressBar
+    if isinstance(scheduler, str) and scheduler in ("threads", "processes", "single-threaded"):
+        def compute_here(tasks: Any) -> Any:
+            with ProgressBar() if progress else nullcontext():
+                return dask.compute(*tasks, scheduler=scheduler, num_workers=workers)
+        return compute_here
+    from dask.distributed import Client, progress as show
+    client = Client(scheduler) if isinstance(scheduler, str) else scheduler
+
+    def compute_there(tasks: Any) -> Any:
+        futures = client.compute(tasks)
+        if progress:
+            show(futures)
+        return client.gather(futures)
+    return compute_there
+
+
+def _write(job: Job, output: str, start_label: int, compute: Any) -> None:
+    if is_zarr(output):
+        _write_zarr(job, output, start_label, compute)
+    else:
+        _write_raster(job, output, start_label)
+
+
+def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
+    import zarr
+    from dask import delayed
+    tiling = job.tiling
+    final = os.path.join(job.store, "final")
+    zarr.open(final, mode="w", shape=(tiling.height, tiling.width), chunks=(tiling.chunk, tiling.chunk),
+              dtype=np.int64, fill_value=start_label - 1)
+    do = delayed(number_tile, pure=False)
+    compute([do(job, tile, start_label) for tile in range(len(tiling))])
+    shutil.rmtree(output, ignore_errors=True)
+    os.replace(final, output)
+
+
+def _write_raster(job: Job, output: str, start_label: int) -> None:
+    """One file has one writer, which goes by rows of the store's chunks."""
+    import rasterio
+    from rasterio.windows import Window as RasterWindow
+    tiling = job.tiling
+    part = os.path.join(job.store, "final.tif")
+    with rasterio.open(part, "w", driver="GTiff", height=tiling.height, width=tiling.width, count=1, dtype="int64",
+                       nodata=start_label - 1, tiled=True, blockxsize=256, blockysize=256, compress="deflate",
+                       bigtiff="if_safer", **job.image.georeference()) as file:
+        side = -(-tiling.chunk // 256) * 256
+        for top in range(0, tiling.height, side):
+            for left in range(0, tiling.width, 4 * side):
+                window = Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
+                height, width = window.shape
+                file.write(final_labels(job, window, start_label), 1,
+                           window=RasterWindow(left, top, width, height))
+    os.replace(part, output)

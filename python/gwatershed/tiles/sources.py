@@ -1,0 +1,111 @@
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""Images and depth maps in files, read window by window."""
+import os
+from dataclasses import dataclass
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from .tiling import Window
+
+SAMPLED_ROWS = 64  # for the range of an image; each may need a row of chunks
+SAMPLES_IN_A_ROW = 4096
+
+
+def is_zarr(name: str) -> bool:
+    return name.rstrip("/").endswith(".zarr") or os.path.isdir(name)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Bands of a file. Workers open it themselves: only the name travels."""
+    name: str
+    bands: Tuple[int, ...]  # from 1 on, as GDAL counts
+    height: int
+    width: int
+
+    @staticmethod
+    def open(name: str, bands: Optional[Tuple[int, ...]] = None, single: bool = False) -> "Source":
+        """The bands that are named, or the first three, or the first one where there are fewer or `single` is set."""
+        height, width, count = _zarr_shape(name) if is_zarr(name) else _raster_shape(name)
+        if bands is None:
+            bands = (1, 2, 3) if count >= 3 and not single else (1,)
+        if len(bands) not in (1, 3) or not all(1 <= band <= count for band in bands):
+            raise ValueError("bands must be one or three of the %d of %s, not %s" % (count, name, list(bands)))
+        return Source(name, tuple(bands), height, width)
+
+    def read(self, window: Window) -> Any:
+        """height x width, or height x width x 3; and whether a pixel is valid."""
+        pixels, valid = (self._read_zarr if is_zarr(self.name) else self._read_raster)(window)
+        if pixels.dtype.kind == "f":
+            valid = valid & np.isfinite(pixels if pixels.ndim == 2 else pixels.sum(axis=2))
+        return pixels, valid
+
+    def _read_zarr(self, window: Window) -> Any:
+        import zarr
+        array = zarr.open(self.name, mode="r")
+        if array.ndim == 2:
+            pixels = array[window.slices]
+        else:
+            pixels = array[window.slices + (slice(None),)][:, :, [band - 1 for band in self.bands]]
+            pixels = pixels[:, :, 0] if len(self.bands) == 1 else pixels
+        return pixels, np.ones(window.shape, bool)
+
+    def _read_raster(self, window: Window) -> Any:
+        import rasterio
+        from rasterio.windows import Window as RasterWindow
+        height, width = window.shape
+        place = RasterWindow(window.left, window.top, width, height)
+        with rasterio.open(self.name) as file:
+            pixels = file.read(list(self.bands), window=place)
+            valid = file.dataset_mask(window=place) != 0
+        return (pixels[0] if len(self.bands) == 1 else np.ascontiguousarray(pixels.transpose(1, 2, 0))), valid
+
+    def georeference(self) -> Dict[str, Any]:
+        """What a GeoTIFF of the labels takes over."""
+        if is_zarr(self.name):
+            return {}
+        import rasterio
+        with rasterio.open(self.name) as file:
+            return {"crs": file.crs, "transform": file.transform}
+
+    def range(self) -> Optional[Tuple[float, float]]:
+        """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are."""
+        if self.read(Window(0, 0, 1, 1))[0].dtype == np.uint8:
+            return None
+        step = -(-self.height // SAMPLED_ROWS)
+        samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
+        if samples.size == 0:
+            return None
+        low, high = (float(p) for p in np.percentile(samples.astype(np.float64), (1, 99)))
+        return (low, high) if high > low else (low, low + 1)
+
+    def _sample_row(self, y: int) -> Any:
+        pixels, valid = self.read(Window(y, 0, y + 1, self.width))
+        step = max(self.width // SAMPLES_IN_A_ROW, 1)
+        return pixels[0, ::step][valid[0, ::step]].ravel()
+
+
+def _raster_shape(name: str) -> Tuple[int, int, int]:
+    import rasterio
+    with rasterio.open(name) as file:
+        return file.height, file.width, file.count
+
+
+def _zarr_shape(name: str) -> Tuple[int, int, int]:
+    import zarr
+    shape = zarr.open(name, mode="r").shape
+    if len(shape) not in (2, 3):
+        raise ValueError("%s must be height x width, or height x width x bands, not %s" % (name, shape))
+    return shape[0], shape[1], shape[2] if len(shape) == 3 else 1
+
+
+def to_8_bits(pixels: Any, value_range: Optional[Tuple[float, float]]) -> Any:
+    """The range of the whole image as 0..255, so that all tiles see the same values."""
+    if value_range is None:
+        return pixels
+    low, high = value_range
+    scaled = (pixels.astype(np.float32) - np.float32(low)) * np.float32(255 / (high - low))
+    return np.nan_to_num(scaled.clip(0, 255)).round().astype(np.uint8)

@@ -1,0 +1,433 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""What the package gwatershed has beside the interface of cv2.ximgproc, which misc/python/test tests.
+
+Parts that need scikit-image, Pillow or mypy are skipped where these are not installed.
+"""
+import contextlib
+import copy
+import importlib.util
+import io
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import gwatershed
+from gwatershed import command
+
+
+def needs(name):
+    return unittest.skipUnless(importlib.util.find_spec(name), "needs " + name)
+
+
+def make_image(height=96, width=128):
+    y, x = np.mgrid[0:height, 0:width]
+    image = np.stack([x * 255 // width, y * 255 // height, 128 + 60 * np.sin(x / 5.0 + y / 7.0)], axis=-1)
+    return image.astype(np.uint8)
+
+
+def class_labels(image, *arguments, **parameters):
+    gws = gwatershed.SuperpixelGWatershed(**parameters)
+    gws.iterate(image, *arguments)
+    return gws.getLabels()
+
+
+class ArraysTest(unittest.TestCase):
+
+    def assert_same_labels(self, one, other, **parameters):
+        np.testing.assert_array_equal(class_labels(one, **parameters), class_labels(other, **parameters))
+
+    def test_strides(self):
+        image = make_image()
+        wide = np.repeat(image, 2, axis=1)
+        fortran = np.asfortranarray(image)
+        four = np.dstack([image, image[:, :, 0]])
+        for view in (image[::-1], image[:, ::-1], image[:, :, ::-1], wide[:, ::2], image.transpose(1, 0, 2), fortran,
+                     image[3:50, 5:70], four[:, :, :3], image[:1], image[:, :1], image[::2],
+                     np.broadcast_to(image[5], image.shape)):
+            self.assert_same_labels(view, np.ascontiguousarray(view))
+
+    def test_byte_order_and_alignment(self):
+        image = make_image().astype(np.uint16) * 257
+        self.assert_same_labels(image.astype(">u2"), image)
+        raw = np.zeros(image.nbytes + 1, np.uint8)
+        odd = raw[1:].view(np.uint16).reshape(image.shape)
+        odd[:] = image
+        self.assert_same_labels(odd, image)
+
+    def test_images_are_not_written_to(self):
+        image = make_image()
+        image.flags.writeable = False
+        kept = image.copy()
+        class_labels(image)
+        np.testing.assert_array_equal(image, kept)
+
+    def test_things_with_an_array(self):
+        class Picture:
+            def __array__(self, dtype=None):
+                return make_image()
+        self.assert_same_labels(Picture(), make_image())
+
+    def test_refuses_what_is_no_image(self):
+        gws = gwatershed.SuperpixelGWatershed()
+        image = make_image()
+        for wrong in (image.astype(bool), image.astype(str), image.astype(complex), image[None], image[:, :, :0],
+                      image[0, 0], image[:0], np.dstack([image, image]), np.zeros((4, 4, 2000), np.uint8)):
+            with self.assertRaises(ValueError):
+                gws.iterate(wrong)
+        for wrong in ("image.png", [[1, 2], [3, 4]], 2.5, object()):
+            with self.assertRaises(TypeError):
+                gws.iterate(wrong)
+
+    def test_bool_masks(self):
+        image = make_image()
+        inside = np.zeros(image.shape[:2], bool)
+        inside[10:60, 20:90] = True
+        gws = gwatershed.SuperpixelGWatershed()
+        for mask in (inside, inside.astype(np.uint8), np.asfortranarray(inside)):
+            gws.setMask(mask)
+            gws.iterate(image)
+            np.testing.assert_array_equal(gws.getLabels() >= 0, inside)
+
+    def test_outputs_into_arrays(self):
+        image = make_image()
+        gws = gwatershed.createSuperpixelGWatershed(image)
+        gws.iterate()
+        labels = np.zeros(image.shape[:2], np.int32)
+        self.assertIs(gws.getLabels(labels), labels)
+        np.testing.assert_array_equal(labels, gws.getLabels())
+        wide = np.zeros((image.shape[0], 2 * image.shape[1]), np.int32)
+        part = wide[:, :image.shape[1]]
+        self.assertIs(gws.getLabels(labels_out=part), part)
+        np.testing.assert_array_equal(part, labels)
+        self.assertIsNot(gws.getLabels(np.zeros((3, 3), np.int32)), labels)
+        with self.assertRaises(ValueError):
+            gws.getLabels(wide[:, ::2])
+        gws.getLabels()[:] = 7  # a copy
+        np.testing.assert_array_equal(gws.getLabels(), labels)
+
+    def test_labels_outlive_the_object(self):
+        labels = class_labels(make_image())
+        other = class_labels(make_image()[::-1])
+        self.assertEqual(len(np.unique(labels)), labels.max() + 1)
+        self.assertEqual(other.shape, labels.shape)
+
+
+class ObjectTest(unittest.TestCase):
+
+    PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, alpha=0.3, lab_input=True,
+                      temporal=True, depth_range=(0.4, 4.1), border_threshold=99.5)
+
+    def test_constructor(self):
+        gws = gwatershed.SuperpixelGWatershed()
+        self.assertEqual((gws.getRegionSize(), gws.getAlgorithm()), (10, gwatershed.RGWATERSHED))
+        self.assertRaises(RuntimeError, gws.iterate)
+        gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)
+        self.assertEqual(gws.getDesiredSuperpixels(), 77)
+        self.assertEqual(np.float32(gws.getRuler()), np.float32(3.7))
+        self.assertRaises(TypeError, gwatershed.SuperpixelGWatershed, 20)
+        self.assertRaises(TypeError, gwatershed.SuperpixelGWatershed, rule=20)
+        self.assertRaises(TypeError, gwatershed.SuperpixelGWatershed, ruler="x")
+        self.assertRaises(TypeError, gwatershed.SuperpixelGWatershed, depth_range=3)
+        self.assertRaises(ValueError, gwatershed.SuperpixelGWatershed, alpha=2)
+
+    def test_copies_have_the_parameters(self):
+        gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)
+        gws.iterate(make_image())
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            self.assert_copy(gws, pickle.loads(pickle.dumps(gws, protocol)))
+        self.assert_copy(gws, copy.copy(gws))
+        self.assert_copy(gws, copy.deepcopy(gws))
+
+    def assert_copy(self, gws, twin):
+        self.assertEqual(twin.write(), gws.write())
+        self.assertTrue(twin.empty())
+        twin.setRuler(1)
+        self.assertNotEqual(twin.write(), gws.write())
+
+    def test_saved_parameters(self):
+        gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "parameters.yml")
+            gws.save(name)
+            with open(name) as file:
+                self.assertIn("num_superpixels: 77", file.read())
+        twin = gwatershed.SuperpixelGWatershed()
+        before = twin.write()
+        self.assertRaises(ValueError, twin.read, "{}")
+        self.assertRaises(ValueError, twin.read, before.replace('"alpha"', '"beta"'))
+        self.assertEqual(twin.write(), before)
+
+    def test_none_is_no_depth(self):
+        image = make_image()
+        expected = class_labels(image)
+        np.testing.assert_array_equal(class_labels(image, None), expected)
+        np.testing.assert_array_equal(class_labels(image, None, 1), expected)
+        gws = gwatershed.createSuperpixelGWatershed(image, None, gwatershed.RGWATERSHED, 10)
+        gws.iterate()
+        np.testing.assert_array_equal(gws.getLabels(), expected)
+
+    def test_errors_have_our_text(self):
+        image = make_image()
+        gws = gwatershed.createSuperpixelGWatershed(image)
+        for kind, text, call in (
+                (ValueError, "^ruler must be 0 or more, and finite; 'value' is -1$", lambda: gws.setRuler(-1)),
+                (ValueError, "^image must have 1 to 4 channels", lambda: gws.iterate(np.dstack([image, image]))),
+                (ValueError, "^image must not be empty$", lambda: gws.iterate(image[:0])),
+                (ValueError, "^depth must have the size of image; .*96", lambda: gws.iterate(image, image[:9, :, 0])),
+                (RuntimeError, "^There is no segmentation: call iterate", gws.getLabels),
+                (RuntimeError, "^There is no image: call iterate", gwatershed.SuperpixelGWatershed().iterate)):
+            with self.assertRaisesRegex(kind, text):
+                call()
+
+    def test_lack_of_memory(self):
+        program = ("import resource, numpy, gwatershed\n"
+                   "gws = gwatershed.SuperpixelGWatershed(region_size=50)\n"
+                   "image = numpy.zeros((5000, 5000), numpy.uint8)\n"
+                   "gwatershed.setNumThreads(1)\n"
+                   "gws.iterate(image[:100, :100])\n"
+                   "used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
+                   "resource.setrlimit(resource.RLIMIT_AS, (used + 100000000, -1))\n"
+                   "try:\n    gws.iterate(image)\nexcept MemoryError as error:\n    print(error)\n"
+                   "gws.iterate(image[:100, :100])\n")
+        output = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, check=True, env=os.environ)
+        self.assertRegex(output.stdout.decode(), "Not enough memory|Failed to allocate")
+
+    def test_the_interpreter_runs_meanwhile(self):
+        image = np.tile(make_image(), (16, 16, 1))
+        gws = gwatershed.SuperpixelGWatershed(region_size=20)
+        thread = threading.Thread(target=gws.iterate, args=(image,))
+        thread.start()
+        began = time.perf_counter()
+        steps = 0
+        while thread.is_alive():
+            steps += 1
+            time.sleep(0.001)
+        thread.join()
+        self.assertGreater(steps, 0.05 * (time.perf_counter() - began) / 0.001)
+
+    def test_threads_share_an_object(self):
+        images = [make_image(), make_image()[::-1].copy()]
+        sizes = {image.shape: class_labels(image).max() for image in images}
+        gws = gwatershed.SuperpixelGWatershed()
+
+        def work(image):
+            for _ in range(20):
+                gws.iterate(image)
+                self.assertIn(gws.getLabels().max(), sizes.values())
+        threads = [threading.Thread(target=work, args=(image,)) for image in images]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(gws.getLabels().max(), sizes[images[0].shape])
+
+
+class FunctionsTest(unittest.TestCase):
+
+    def test_segment_is_the_class(self):
+        image = make_image()
+        bgr = np.ascontiguousarray(image[:, :, ::-1])
+        labels = gwatershed.segment(image, region_size=12)
+        self.assertEqual(labels.dtype, np.int32)
+        np.testing.assert_array_equal(labels, class_labels(bgr, region_size=12))
+        np.testing.assert_array_equal(labels, gwatershed.segment(bgr, 12, bgr=True))
+        np.testing.assert_array_equal(labels, gwatershed.segment(image / 255, 12))
+        np.testing.assert_array_equal(labels + 1, gwatershed.segment(image, 12, start_label=1))
+        self.assertEqual(gwatershed.segment(image, num_superpixels=33, ruler=4).max(), 32)
+        np.testing.assert_array_equal(gwatershed.segment(image, lab_input=True), class_labels(image, lab_input=True))
+        self.assertEqual(gwatershed.segment(image[:, :, 0]).shape, image.shape[:2])
+        self.assertRaises(ValueError, gwatershed.segment, image, 12, num_superpixels=33)
+        self.assertRaises(ValueError, gwatershed.segment, None)
+        self.assertRaises(TypeError, gwatershed.segment, image, regionsize=12)
+
+    def test_segment_with_depth_mask_and_markers(self):
+        image = np.full((60, 80, 3), 90, np.uint8)
+        depth = np.where(np.arange(80) < 33, 1.0, 3.0) * np.ones((60, 1))
+        labels = gwatershed.segment(image, 10, depth=depth)
+        self.assertFalse(set(labels[:, :33].ravel()) & set(labels[:, 33:].ravel()))
+        mask = np.zeros((60, 80))
+        mask[5:50, 7:70] = 0.5
+        labels = gwatershed.segment(image, 10, mask=mask, start_label=1)
+        np.testing.assert_array_equal(labels > 0, mask > 0)
+        self.assertEqual(labels.min(), 0)
+        markers = np.zeros((60, 80), np.int64)
+        markers[3, 4], markers[40, 60] = 5, 9
+        self.assertEqual(np.unique(gwatershed.segment(image, markers=markers)).tolist(), [0, 1])
+        markers[3, 4] = 2**40
+        self.assertRaises(ValueError, gwatershed.segment, image, markers=markers)
+        self.assertRaises(ValueError, gwatershed.segment, image, markers=markers / 2)
+
+    def test_superpixels(self):
+        image = make_image()
+        depth = np.full(image.shape[:2], 1.5)
+        depth[:, :40] = np.nan
+        labels = gwatershed.segment(image, 12)
+        table = gwatershed.superpixels(labels, image, depth)
+        self.assertEqual(table.dtype.names, ("label", "area", "bbox", "centroid", "mean_color", "mean_depth"))
+        self.assertEqual(table["label"].tolist(), list(range(labels.max() + 1)))
+        for row in table:
+            y, x = np.nonzero(labels == row["label"])
+            self.assertEqual(row["area"], len(y))
+            self.assertEqual(row["bbox"].tolist(), [y.min(), x.min(), y.max() + 1, x.max() + 1])
+            np.testing.assert_allclose(row["centroid"], [y.mean(), x.mean()])
+            np.testing.assert_allclose(row["mean_color"], image[y, x].mean(axis=0), rtol=1e-5)
+            valid = depth[y, x][np.isfinite(depth[y, x])]
+            np.testing.assert_allclose(row["mean_depth"], valid.mean() if len(valid) else np.nan, rtol=1e-6)
+
+    def test_superpixels_of_any_labels(self):
+        labels = np.array([[0, 0, 7, 7], [-1, 5, 5, 7]])
+        for kind in (np.int8, np.int64, np.int32):
+            table = gwatershed.superpixels(labels.astype(kind))
+            self.assertEqual(table["label"].tolist(), [0, 5, 7])
+            self.assertEqual(table["label"].dtype, kind)
+            self.assertEqual(table["area"].tolist(), [2, 2, 3])
+        self.assertEqual(gwatershed.superpixels(labels, start_label=1)["label"].tolist(), [5, 7])
+        labels[labels == 7] = 2**50
+        self.assertEqual(gwatershed.superpixels(labels)["label"].tolist(), [0, 5, 2**50])
+        self.assertEqual(len(gwatershed.superpixels(labels, start_label=2**51)), 0)
+        colors = gwatershed.superpixels(labels, np.arange(8).reshape(2, 4))["mean_color"]
+        np.testing.assert_allclose(colors[:, 0], [0.5, 5.5, 4])
+        for wrong in (labels / 2, labels[None], labels[:0]):
+            self.assertRaises(ValueError, gwatershed.superpixels, wrong)
+        self.assertRaises(ValueError, gwatershed.superpixels, labels, np.zeros((3, 3)))
+        self.assertRaises(ValueError, gwatershed.superpixels, labels, None, np.zeros((3, 3)))
+
+    @needs("skimage")
+    def test_with_scikit_image(self):
+        from skimage.measure import regionprops
+        from skimage.segmentation import mark_boundaries
+        image = make_image()
+        mask = np.ones(image.shape[:2], bool)
+        mask[:20, :30] = False
+        labels = gwatershed.segment(image, 12, mask=mask, start_label=1)
+        marked = mark_boundaries(image, labels)
+        self.assertEqual(marked.shape, image.shape)
+        table = gwatershed.superpixels(labels, image, start_label=1)
+        properties = regionprops(labels, image)
+        self.assertEqual([p.label for p in properties], table["label"].tolist())
+        self.assertEqual([p.area for p in properties], table["area"].tolist())
+        self.assertEqual([list(p.bbox) for p in properties], table["bbox"].tolist())
+        np.testing.assert_allclose([p.centroid for p in properties], table["centroid"])
+        np.testing.assert_allclose([p.mean_intensity for p in properties], table["mean_color"], rtol=1e-5)
+
+
+@needs("PIL")
+class CommandTest(unittest.TestCase):
+
+    def setUp(self):
+        from PIL import Image
+        self.image = make_image()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        Image.fromarray(self.image).save(self.path("image.png"))
+        Image.fromarray(self.image[::-1]).save(self.path("other.png"))
+        self.depth = np.where(np.arange(128) < 50, 1000, 3000).astype(np.uint16) * np.ones((96, 1), np.uint16)
+        Image.fromarray(self.depth).save(self.path("depth.png"))
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def read(self, name):
+        from PIL import Image
+        return np.asarray(Image.open(self.path(name)))
+
+    def run_command(self, *arguments):
+        output, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            try:
+                code = command.main(list(arguments))
+            except SystemExit as ended:
+                code = ended.code
+        return code, output.getvalue(), errors.getvalue()
+
+    def test_pictures(self):
+        code, output, _ = self.run_command(self.path("image.png"), "-o", self.path("out.png"), "--number", "40")
+        self.assertEqual(code, 0)
+        self.assertRegex(output, r"^1/1 .*image.png: 40 superpixels, \d+ ms\n$")
+        self.assertTrue((self.read("out.png") == (255, 0, 0)).all(axis=2).any())
+        for name in ("labels.png", "labels.tiff", "labels.npy"):
+            self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels", "-s", "12",
+                             "-d", self.path("depth.png"))
+            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
+            expected = gwatershed.segment(self.image, 12, depth=self.depth)
+            np.testing.assert_array_equal(labels, expected)
+        self.run_command(self.path("image.png"), "-o", self.path("mean.png"), "--show", "mean")
+        np.testing.assert_allclose(self.read("mean.png").mean(axis=(0, 1)), self.image.mean(axis=(0, 1)), atol=1)
+
+    def test_many_files(self):
+        code, output, errors = self.run_command(self.path("image.png"), self.path("none.png"), self.path("other.png"),
+                                                "-o", self.path("results"))
+        self.assertEqual(code, 1)
+        self.assertEqual(sorted(os.listdir(self.path("results"))), ["image.png", "other.png"])
+        self.assertEqual(output.count("\n"), 2)
+        self.assertIn("none.png", errors)
+        code, output, _ = self.run_command(self.path("image.png"), self.path("other.png"), "-q", "-o",
+                                           self.path("results"))
+        self.assertEqual((code, output), (0, ""))
+
+    def test_wrong_arguments(self):
+        image = self.path("image.png")
+        for wrong in ([], [image], [image, "-o", "x.png", "-k", "many"], [image, "-o", "x.png", "-k", "3", "-s", "3"],
+                      [image, image, "-o", "x"], [image, self.path("other.png"), "-o", "x", "-d", image]):
+            self.assertEqual(self.run_command(*wrong)[0], 2, wrong)
+        for wrong in (["-k", "0"], ["-r", "-1"], ["-n", "0"], ["-d", self.path("other.png")]):
+            code, _, errors = self.run_command(image, "-o", self.path("x.png"), *wrong)
+            self.assertEqual(code, 1, wrong)
+            self.assertIn("must be", errors)
+        self.assertEqual(self.run_command("--help")[0], 0)
+
+    def test_as_a_module(self):
+        call = [sys.executable, "-m", "gwatershed", self.path("none.png"), "-o", self.path("x.png")]
+        self.assertEqual(subprocess.run(call, stderr=subprocess.DEVNULL, check=False).returncode, 1)
+
+
+class StubsTest(unittest.TestCase):
+
+    @needs("mypy")
+    def test_mypy_accepts_a_program(self):
+        program = ("import numpy as np\nimport gwatershed\n"
+                   "image = np.zeros((60, 80, 3), np.uint8)\n"
+                   "gws = gwatershed.createSuperpixelGWatershed(image, region_size=20)\n"
+                   "gws.iterate()\ngws.iterate(image)\ngws.iterate(image, image[:, :, 0], num_iterations=2)\n"
+                   "labels = gws.getLabels()\nnumber: int = labels.max()\n"
+                   "other = gwatershed.SuperpixelGWatershed(ruler=5, depth_range=(1, 4))\n"
+                   "table = gwatershed.superpixels(gwatershed.segment(image, region_size=20), image)\n")
+        self.assertEqual(self.check(program), "")
+        self.assertIn("ruler", self.check("import gwatershed\ngwatershed.SuperpixelGWatershed(ruler='x')\n"))
+        self.assertIn("iterated", self.check("import gwatershed\ngwatershed.SuperpixelGWatershed().iterated()\n"))
+
+    def check(self, program):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "program.py")
+            with open(name, "w") as file:
+                file.write(program)
+            place = os.path.dirname(os.path.dirname(gwatershed.__file__))
+            installed = os.path.basename(place) in ("site-packages", "dist-packages")  # mypy looks there itself
+            run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent",
+                                  "--no-error-summary", "--cache-dir", os.path.join(folder, "cache"), name],
+                                 stdout=subprocess.PIPE, env=dict(os.environ, MYPYPATH="" if installed else place),
+                                 cwd=folder, check=False)
+            self.assertIn(run.returncode, (0, 1))  # 2: it could not check
+            return run.stdout.decode()
+
+    @needs("mypy")
+    def test_stubs_name_what_there_is(self):
+        with open(os.path.join(os.path.dirname(gwatershed.__file__), "_native.pyi")) as file:
+            stub = file.read()
+        for name in dir(gwatershed.SuperpixelGWatershed):
+            if not name.startswith("_"):
+                self.assertIn("def %s(" % name, stub)
+
+
+if __name__ == "__main__":
+    unittest.main()

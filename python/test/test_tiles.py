@@ -1,0 +1,264 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""gwatershed.tiles: every pixel once, connected superpixels, the same for all workers, and after all that can happen.
+
+It is skipped where dask or zarr are not installed; parts where rasterio, distributed or scikit-image are not.
+"""
+import contextlib
+import importlib.util
+import io
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from unittest import mock
+
+import numpy as np
+
+import gwatershed
+
+
+def has(*names):
+    return all(importlib.util.find_spec(name) for name in names)
+
+
+if not has("dask", "zarr"):
+    raise unittest.SkipTest("needs dask and zarr")
+
+import zarr  # noqa: E402
+
+from gwatershed.tiles import command, run, segment_file, work  # noqa: E402
+from gwatershed.tiles.tiling import Tiling  # noqa: E402
+
+warnings.filterwarnings("ignore", category=ResourceWarning)
+
+
+def make_picture(height, width, seed=1):
+    y, x = np.mgrid[0:height, 0:width].astype(np.float32)
+    picture = np.stack([127 + 100 * np.sin(x / 37 + y / 91) * np.cos(y / 53),
+                        127 + 90 * np.sin(x / 71) * np.cos(y / 29 + x / 101), 127 + 80 * np.sin((x + y) / 47)], -1)
+    picture += (np.hypot(x % 150 - 75, y % 130 - 65) < 45)[..., None] * 40
+    picture += np.random.RandomState(seed).normal(0, 4, picture.shape)
+    return picture.clip(0, 255).astype(np.uint8)
+
+
+def explained_variation(labels, image):
+    table = gwatershed.superpixels(labels, image, start_label=1)
+    mean = image.reshape(-1, image.shape[2]).mean(axis=0)
+    return (table["area"][:, None] * (table["mean_color"] - mean) ** 2).sum() / ((image - mean) ** 2).sum()
+
+
+class TilesCase(unittest.TestCase):
+
+    SIZE = dict(region_size=10, tile_size=160)
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.image = make_picture(500, 610)
+        self.write_zarr("image.zarr", self.image)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write_zarr(self, name, values):
+        zarr.open(self.path(name), mode="w", shape=values.shape, chunks=(100, 100) + values.shape[2:],
+                  dtype=values.dtype)[:] = values
+
+    def run_tiles(self, output="labels.zarr", image="image.zarr", **arguments):
+        arguments = {**self.SIZE, "scheduler": "single-threaded", **arguments}
+        number = segment_file(self.path(image), self.path(output), **arguments)
+        self.assertFalse(os.path.exists(self.path(output) + ".part"))
+        if output.endswith(".zarr"):
+            return number, zarr.open(self.path(output), mode="r")[:]
+        import rasterio
+        with rasterio.open(self.path(output)) as file:
+            return number, file.read(1)
+
+    def assert_partition(self, number, labels, valid=None):
+        self.assertEqual(labels.dtype, np.int64)
+        valid = np.ones(labels.shape, bool) if valid is None else valid
+        np.testing.assert_array_equal(labels > 0, valid)
+        self.assertEqual(np.unique(labels[valid]).tolist(), list(range(1, number + 1)))
+        if has("skimage"):
+            from skimage.measure import label
+            self.assertEqual(label(labels, connectivity=1).max(), number)
+
+
+class TilingTest(unittest.TestCase):
+
+    def test_windows_of_a_phase_share_no_chunk(self):
+        for shape in ((500, 610), (160, 160), (1, 1), (161, 479), (321, 159)):
+            tiling = Tiling.of(*shape, 160, 10)
+            seen = np.zeros(shape, int)
+            chunks = {}
+            for tile in tiling.in_order():
+                seen[tiling.core(tile).slices] += 1
+                window = tiling.window(tile)
+                for y in range(window.top // tiling.chunk, (window.bottom - 1) // tiling.chunk + 1):
+                    for x in range(window.left // tiling.chunk, (window.right - 1) // tiling.chunk + 1):
+                        chunks.setdefault((tiling.phase(tile), y, x), []).append(tile)
+            self.assertTrue((seen == 1).all())
+            self.assertTrue(all(len(tiles) == 1 for tiles in chunks.values()))
+
+    def test_refuses_small_tiles(self):
+        self.assertRaises(ValueError, Tiling.of, 100, 100, 150, 10)
+        self.assertRaises(ValueError, Tiling.of, 100, 100, 162, 10)
+
+
+class ResultTest(TilesCase):
+
+    def test_is_the_same_for_all_schedulers(self):
+        number, labels = self.run_tiles()
+        self.assert_partition(number, labels)
+        for arguments in (dict(scheduler="threads", workers=1), dict(scheduler="threads", workers=3),
+                          dict(scheduler="processes", workers=2)):
+            other, same = self.run_tiles(**arguments)
+            self.assertEqual(other, number)
+            np.testing.assert_array_equal(same, labels)
+
+    def test_is_as_good_as_the_plain_call(self):
+        number, labels = self.run_tiles()
+        plain = gwatershed.segment(self.image, 10, start_label=1)
+        self.assertLess(abs(number / plain.max() - 1), 0.03)
+        self.assertGreater(explained_variation(labels, self.image), explained_variation(plain, self.image) - 0.005)
+
+    def test_one_tile_is_the_plain_call(self):
+        for start in (0, 1):
+            _, labels = self.run_tiles(tile_size=640, start_label=start, num_iterations=2, ruler=5)
+            plain = gwatershed.segment(self.image, 10, start_label=start, num_iterations=2, ruler=5)
+            np.testing.assert_array_equal(labels, plain)
+
+    def test_depth_with_a_range_of_the_whole_image(self):
+        depth = np.where(np.arange(610) < 333, 1000, 3000).astype(np.uint16) * np.ones((500, 1), np.uint16)
+        self.write_zarr("depth.zarr", depth)
+        self.write_zarr("flat.zarr", np.full((500, 610), 90, np.uint8))
+        number, labels = self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"))
+        self.assert_partition(number, labels)
+        across = set(labels[:, :333].ravel()) & set(labels[:, 333:].ravel())
+        self.assertLess(len(across), 0.002 * number)
+        self.write_zarr("small.zarr", depth[1:])
+        with self.assertRaisesRegex(ValueError, "size of image"):
+            self.run_tiles(depth=self.path("small.zarr"))
+
+    def test_values_of_any_range(self):
+        _, expected = self.run_tiles(value_range=(0, 255))
+        self.write_zarr("large.zarr", self.image.astype(np.float32) * 7 + 100)
+        _, labels = self.run_tiles(image="large.zarr", value_range=(100, 100 + 7 * 255))
+        np.testing.assert_array_equal(labels, expected)
+        number, labels = self.run_tiles(image="large.zarr")
+        self.assert_partition(number, labels)
+        self.assertGreater(explained_variation(labels, self.image), explained_variation(expected, self.image) - 0.01)
+
+
+class StoppedTest(TilesCase):
+
+    def stop_after(self, tiles, also_forget):
+        """Runs until so many tiles are done; the last of them may not be noted as done."""
+        done = []
+
+        def do_and_stop(job, tile, *waited_for):
+            count = work.do_tile(job, tile, *waited_for)
+            done.append(tile)
+            if len(done) == tiles:
+                if also_forget:
+                    job.open("counts")[job.tiling.place(tile)] = -1
+                raise InterruptedError
+            return count
+        with mock.patch.object(run, "do_tile", do_and_stop), self.assertRaises(InterruptedError):
+            self.run_tiles()
+        return done
+
+    def test_goes_on_where_it_was(self):
+        _, expected = self.run_tiles()
+        for forget in (False, True):
+            self.stop_after(7, forget)
+            with mock.patch.object(work, "_segment", wraps=work._segment) as calls:
+                _, labels = self.run_tiles()
+            self.assertEqual(calls.call_count, 16 - 7 + forget)
+            np.testing.assert_array_equal(labels, expected)
+
+    def test_refuses_to_go_on_with_other_parameters(self):
+        self.stop_after(3, False)
+        with self.assertRaisesRegex(ValueError, "other parameters"):
+            self.run_tiles(ruler=3)
+
+    @unittest.skipUnless(has("distributed"), "needs distributed")
+    def test_a_killed_worker_changes_nothing(self):
+        from dask.distributed import Client, LocalCluster
+        _, expected = self.run_tiles()
+        with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None,
+                          silence_logs=50) as cluster, Client(cluster) as client:
+            killed = []
+            thread = threading.Thread(target=self.kill_a_worker, args=(client, killed))
+            thread.start()
+            _, labels = self.run_tiles(scheduler=client)
+            thread.join()
+        self.assertEqual(len(killed), 1)
+        np.testing.assert_array_equal(labels, expected)
+
+    def kill_a_worker(self, client, killed):
+        pids = list(client.run(os.getpid).values())
+        counts = self.path("labels.zarr.part/counts")
+        for _ in range(20000):
+            with contextlib.suppress(Exception):
+                if 2 <= (zarr.open(counts, mode="r")[:] >= 0).sum() < 14:
+                    os.kill(pids[0], signal.SIGKILL)
+                    killed.append(pids[0])
+                    return
+            time.sleep(0.001)
+
+
+@unittest.skipUnless(has("rasterio"), "needs rasterio")
+class GeoTiffTest(TilesCase):
+
+    def write_tiff(self, name, bands, **profile):
+        import rasterio
+        from rasterio.transform import from_origin
+        with rasterio.open(self.path(name), "w", driver="GTiff", height=bands.shape[1], width=bands.shape[2],
+                           count=bands.shape[0], dtype=bands.dtype, crs="EPSG:32632",
+                           transform=from_origin(500000, 5400000, 0.5, 0.5), **profile) as file:
+            file.write(bands)
+
+    def test_georeference_nodata_and_bands(self):
+        import rasterio
+        _, expected = self.run_tiles()
+        bands = self.image.transpose(2, 0, 1)
+        self.write_tiff("image.tif", bands)
+        _, labels = self.run_tiles("labels.tif", "image.tif")
+        np.testing.assert_array_equal(labels, expected)
+        with rasterio.open(self.path("labels.tif")) as file:
+            self.assertEqual((file.crs.to_epsg(), file.transform.c, file.nodata), (32632, 500000, 0))
+            self.assertEqual(file.dtypes, ("int64",))
+
+        five = np.concatenate([bands[:1] * 0, bands[1:2], bands[:1], bands[2:], bands[:1] * 0])
+        self.write_tiff("five.tif", five)
+        _, labels = self.run_tiles("labels.tif", "five.tif", bands=(3, 2, 4))
+        np.testing.assert_array_equal(labels, expected)
+        with self.assertRaisesRegex(ValueError, "bands must be one or three"):
+            self.run_tiles("labels.tif", "five.tif", bands=(3, 9, 4))
+
+        valid = np.hypot(*np.mgrid[-200:300, -400:210]) < 310
+        self.write_tiff("disc.tif", np.where(valid, np.maximum(bands, 1), 0).astype(np.uint8), nodata=0)
+        number, labels = self.run_tiles("labels.tif", "disc.tif")
+        self.assert_partition(number, labels, valid)
+
+    def test_command(self):
+        self.write_tiff("image.tif", self.image.transpose(2, 0, 1))
+        output, errors = io.StringIO(), io.StringIO()
+        call = [self.path("image.tif"), self.path("labels.tif"), "--region-size", "10", "--tile-size", "160"]
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            self.assertEqual(command.main(call + ["--workers", "2"]), 0)
+            self.assertEqual(command.main(call + ["--tile-size", "10"]), 1)
+            self.assertEqual(command.main([self.path("none.tif"), self.path("labels.tif")]), 1)
+        self.assertRegex(output.getvalue(), r"Completed[\s\S]*\d+ superpixels\n$")
+        self.assertIn("tile_size must be", errors.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()
