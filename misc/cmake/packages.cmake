@@ -2,7 +2,7 @@
 # BUILD_PYTHON is ON. They are for the release of Debian that they are made on.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The developers of gwatershed <https://github.com/opencv/opencv_contrib>")
+set(CPACK_PACKAGE_CONTACT "The developers of gwatershed <gwatershed@localhost>")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "superpixels by a marker-controlled watershed, for OpenCV")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
