@@ -12,15 +12,25 @@ namespace cv { namespace ximgproc { namespace gws {
 static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
 
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
-struct FeatureContrast
+class FeatureContrasts CV_FINAL : public EdgeContrasts
 {
-    int operator()(Point p, Point q) const
+public:
+    FeatureContrasts(const Padded<Feature>& features, const RegionDistance& distance)
+        : features_(features), distance_(distance)
     {
-        return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
     }
 
-    const Padded<Feature>& features;
-    const RegionDistance& distance;
+    int right(Point p) const CV_OVERRIDE { return contrast(p, Point(p.x + 1, p.y)); }
+    int below(Point p) const CV_OVERRIDE { return contrast(p, Point(p.x, p.y + 1)); }
+
+private:
+    int contrast(Point p, Point q) const
+    {
+        return distance_(features_.row(p.y)[p.x], meanOf(features_.row(q.y)[q.x]));
+    }
+
+    const Padded<Feature>& features_;
+    const RegionDistance& distance_;
 };
 
 //! @note Not in the paper. Greedy merging of the region adjacency graph by Ward's criterion, as in
@@ -34,9 +44,8 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
     SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
-    const FeatureContrast contrast = { features, distance };
-    addBoundaries(labels, contrast, merger.graph());
-    merger.run(1);
+    const FeatureContrasts contrasts(features, distance);
+    merger.run(labels, 1, &contrasts);
 
     labels.copyTo(labels_);
     unions_ = merger.unions();
@@ -46,11 +55,8 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
 int MergeHierarchy::cut(int num_labels, Mat& labels) const
 {
     const size_t count = std::min(size_t(std::max(num_labels_ - num_labels, 0)), unions_.size());
-    std::vector<int> parents(num_labels_), numbers;
-    for (int i = 0; i < num_labels_; i++)
-        parents[i] = i;
-    for (size_t i = 0; i < count; i++)
-        parents[unions_[i][0]] = unions_[i][1];
+    std::vector<int> parents, numbers;
+    applyUnions(unions_, count, num_labels_, parents);
     const int left = numberRegions(parents, numbers);
     labels_.copyTo(labels);
     renumber(numbers, labels);

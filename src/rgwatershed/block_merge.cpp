@@ -15,11 +15,10 @@ void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int le
         return;
     SimilarMerger merger(distance, length_exponent, 0, buffers, regions);
     Mat map = labels.view(CV_32SC1);
-    addBoundaries(map, NoContrast(), merger.graph());
-    merger.run(num_regions);
+    merger.run(map, num_regions);
 
-    std::vector<int> numbers;
-    const std::vector<int>& parents = merger.graph().parents();
+    std::vector<int> parents, numbers;
+    applyUnions(merger.unions(), merger.unions().size(), regions.size(), parents);
     const int left = numberRegions(parents, numbers);
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)

@@ -105,9 +105,10 @@ void RGWatershed::mergeAnew(int level, int num_kept, std::vector<uchar>& changed
     for (int i = 0; i < regions_.size(); i++)
         areas[i] = regions_.sums[i].area;
     SimilarMerger merger(distance, lengthExponent(ruler), 0, merge_buffers_, regions_);
-    addBoundaries(map, NoContrast(), merger.graph());
-    merger.run(int(changed.size()));
-    nameGroups(merger.graph().parents(), areas, names_, num_kept, numbers_);
+    merger.run(map, int(changed.size()));
+    std::vector<int> parents;
+    applyUnions(merger.unions(), merger.unions().size(), regions_.size(), parents);
+    nameGroups(parents, areas, names_, num_kept, numbers_);
     renumber(numbers_, map);
     for (size_t i = 0; i < merger.unions().size(); i++)
         changed[numbers_[merger.unions()[i][1]]] = 1;

@@ -6,49 +6,31 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+// A round: each region finds the neighbour with which its union costs least. Where two regions are that to each other,
+// they may be united; the cheaper ones of these pairs are. Then regions are numbered anew, in the same order, so what
+// lies near in the image stays near in memory, and their lists are joined. All regions can do that at the same time.
+
+static const double SHARE = 0.5; // of the candidates that are united in a round
+static const int MANY = 64;      // neighbours: a region with more takes in all to which it is the best
+static const uint64 NO_PRICE = ~uint64(0);
+
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
-static int logarithm(int64 value)
+static inline int logarithm(float value)
 {
     Cv32suf bits;
-    bits.f = float(value);
+    bits.f = value;
     return (bits.i - (127 << 23)) >> 15;
 }
 
-SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
-                             MergeBuffers& buffers, Regions& regions)
-    : distance_(distance), length_exponent_(length_exponent), contrast_exponent_(contrast_exponent),
-      regions_(regions), graph_(buffers.graph), queued_at_(buffers.queued_at), entries_(buffers.entries),
-      first_(buffers.first), last_(buffers.last), lowest_(COSTS)
+//! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
+static inline uint64 price(int cost, int a, int b)
 {
-    graph_.reset(regions.size());
-    entries_.clear();
-    first_.assign(COSTS, int(NONE));
-    last_.assign(COSTS, int(NONE));
+    return (uint64(unsigned(cost)) << 32) | unsigned(a ^ b);
 }
 
-//! Invariant: each boundary waits at the cost that it had when it was queued last. Where the cost has risen it is
-//! queued again when its turn comes; where it has fallen, at once, but of a region with many neighbours only where the
-//! boundary has become longer. So a merger is as much work as the region with fewer neighbours has neighbours.
-void SimilarMerger::run(int num_regions)
+static inline int neighborOf(int region, uint64 price)
 {
-    queued_at_.assign(graph_.boundaries().size(), 0);
-    for (int i = 0; i < int(graph_.boundaries().size()); i++)
-        push(i, cost(graph_.boundaries()[i]));
-    int left = regions_.size();
-    while (left > num_regions)
-    {
-        const int boundary = pop();
-        if (boundary == NONE)
-            break;
-        const int now = cost(graph_.boundaries()[boundary]);
-        if (now > lowest_)
-        {
-            push(boundary, now);
-            continue;
-        }
-        unite(graph_.boundaries()[boundary].regions[0], graph_.boundaries()[boundary].regions[1]);
-        left--;
-    }
+    return price == NO_PRICE ? region : int(unsigned(price)) ^ region;
 }
 
 //! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
@@ -56,100 +38,309 @@ void SimilarMerger::run(int num_regions)
 //! (length of the boundary / root of the smaller area)^length exponent, as a logarithm: the exponents
 //! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
 //! that lets small regions go first where colours are equal, and a bonus for long boundaries.
-int SimilarMerger::cost(const RegionGraph::Boundary& boundary) const
+//! It is the same for both orders of the regions. contrast is the sum over the boundary of what is in the formula.
+static inline int unionCost(int squared_distance, float area_a, float area_b, float length, float contrast,
+                            int length_exponent, int contrast_exponent)
 {
-    const int a = boundary.regions[0], b = boundary.regions[1];
-    const int area_a = regions_.sums[a].area, area_b = regions_.sums[b].area;
-    const int log_a = logarithm(area_a), log_b = logarithm(area_b);
-    const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
-    const int log_length = logarithm(boundary.length), length = log_length - std::min(log_a, log_b) / 2;
-    const int distance = squaredDistance(regions_.means[a], regions_.means[b]);
-    int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length;
-    if (contrast_exponent_ > 0)
-        sum += contrast_exponent_ * (logarithm(boundary.contrast + 16 * int64(boundary.length)) - log_length);
-    return std::min(std::max(sum >> 6, 0), COSTS - 1);
+    const int log_a = logarithm(area_a), log_b = logarithm(area_b), log_length = logarithm(length);
+    const int areas = log_a + log_b - logarithm(area_a + area_b);
+    const int cost = 16 * logarithm(float(squared_distance + 4 * 256)) + 28 * areas -
+                     length_exponent * (log_length - std::min(log_a, log_b) / 2);
+    return contrast_exponent > 0 ? cost + contrast_exponent * (logarithm(contrast) - log_length) : cost;
 }
 
-//! Of the means, in 1/256 of a squared level, with the weights of the flood.
-int SimilarMerger::squaredDistance(const RegionMean& a, const RegionMean& b) const
+//! Of means with depth, or of which some have none, with the weights of the flood.
+static int squaredDistance(const RegionDistance& distance, const short* a, const short* b)
 {
-    const short* weights = distance_.weights[a.depth != RegionMean::NO_DEPTH && b.depth != RegionMean::NO_DEPTH];
-    const int depth = (weights[3] * (a.depth - b.depth)) >> 8;
-    int sum = depth * depth;
+    int sum = 0;
     for (int k = 0; k < 3; k++)
+        sum += (a[k] - b[k]) * (a[k] - b[k]);
+    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
+        return sum;
+    const int depth = (distance.depth_share * (a[3] - b[3])) >> 8;
+    return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
+}
+
+SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
+                             MergeBuffers& buffers, Regions& regions)
+    : distance_(distance), length_exponent_(length_exponent), contrast_exponent_(contrast_exponent),
+      originals_(regions), b_(buffers)
+{
+}
+
+void SimilarMerger::run(const Mat& labels, int num_regions, const EdgeContrasts* contrasts)
+{
+    listNeighbors(labels, originals_.size(), contrasts, b_.lists);
+    start();
+    for (;;)
     {
-        const int color = (weights[k] * (a.color[k] - b.color[k])) >> 8;
-        sum += color * color;
+        const int left = int(b_.regions.size()) - num_regions;
+        if (left <= 0)
+            return;
+        joinLists();
+        findCandidates();
+        if (b_.candidates.empty())
+            return;
+        const size_t count = std::min(size_t(left), size_t(std::ceil(SHARE * double(b_.candidates.size()))));
+        std::nth_element(b_.candidates.begin(), b_.candidates.begin() + (count - 1), b_.candidates.end());
+        if (contrasts)
+            std::sort(b_.candidates.begin(), b_.candidates.begin() + count);
+        unite(count);
     }
-    return sum;
 }
 
-void SimilarMerger::push(int boundary, int cost)
+//! Each region is a chain of itself.
+void SimilarMerger::start()
 {
-    const MergeBuffers::Entry entry = { boundary, NONE };
-    const int index = int(entries_.size());
-    entries_.push_back(entry);
-    if (first_[cost] == NONE)
-        first_[cost] = index;
-    else
-        entries_[last_[cost]].next = index;
-    last_[cost] = index;
-    lowest_ = std::min(lowest_, cost);
-    queued_at_[boundary] = cost;
-}
-
-void SimilarMerger::pushIfLower(int boundary)
-{
-    const int now = cost(graph_.boundaries()[boundary]);
-    if (now < queued_at_[boundary])
-        push(boundary, now);
-}
-
-//! The regions of the next boundaries of a queue lie anywhere.
-void SimilarMerger::touchRegions(int entry) const
-{
-    for (int count = 0; count < 2 && entry != NONE; count++, entry = entries_[entry].next)
+    const int n = originals_.size();
+    b_.regions.resize(n);
+    b_.parents.resize(n);
+    b_.numbers.resize(n);
+    b_.firsts.resize(n);
+    b_.nexts.assign(n, -1);
+    b_.best.resize(n);
+    for (int i = 0; i < n; i++)
     {
-        const RegionGraph::Boundary& boundary = graph_.boundaries()[entries_[entry].boundary];
-        for (int side = 0; side < 2; side++)
+        b_.regions[i] = describe(i);
+        b_.parents[i] = b_.numbers[i] = b_.firsts[i] = i;
+    }
+}
+
+MergeRegion SimilarMerger::describe(int original) const
+{
+    const RegionMean& mean = originals_.means[original];
+    MergeRegion region = { { 0, 0, 0, mean.depth }, float(originals_.sums[original].area), original };
+    for (int k = 0; k < 3; k++)
+        region.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
+    return region;
+}
+
+//! Makes the lists of the regions of this round from those of the regions that they were in the last one, and finds
+//! the best neighbour of each.
+void SimilarMerger::joinLists()
+{
+    const int n = int(b_.regions.size()), CHUNK = 1024, num_chunks = (n + CHUNK - 1) / CHUNK;
+    std::swap(b_.lists, b_.last_lists);
+    b_.lists.starts.resize(n + 1);
+    b_.lists.counts.resize(n);
+    int end = 0;
+    for (int i = 0; i < n; i++)
+    {
+        b_.lists.starts[i] = end;
+        for (int k = b_.firsts[i]; k >= 0; k = b_.nexts[k])
+            end += b_.last_lists.counts[k];
+    }
+    b_.lists.starts[n] = end;
+    b_.lists.neighbors.resize(end);
+    b_.lists.contrasts.resize(contrast_exponent_ > 0 ? end : 0);
+    b_.scratch.resize(std::max(int(b_.scratch.size()), num_chunks));
+    parallel_for_(Range(0, num_chunks), [&](const Range& range)
+    {
+        MergeBuffers::Scratch& scratch = b_.scratch[range.start];
+        scratch.positions.resize(std::max(int(scratch.positions.size()), n));
+        for (int k = range.start; k < range.end; k++)
         {
-            touch(regions_.sums[boundary.regions[side]].area);
-            touch(regions_.means[boundary.regions[side]].depth);
+            const Range regions(k * CHUNK, std::min((k + 1) * CHUNK, n));
+            if (contrast_exponent_ > 0)
+                joinLists<true>(regions, scratch);
+            else
+                joinLists<false>(regions, scratch);
+        }
+    });
+}
+
+template <bool CONTRAST> void SimilarMerger::joinLists(const Range& regions, MergeBuffers::Scratch& scratch)
+{
+    const int first = b_.lists.starts[regions.start], last = b_.lists.starts[regions.end];
+    scratch.owners.resize(std::max(int(scratch.owners.size()), last - first));
+    for (int i = regions.start; i < regions.end; i++)
+    {
+        const int start = b_.lists.starts[i], size = b_.lists.starts[i + 1] - start;
+        const int count = joinList<CONTRAST>(i, scratch.positions.data(), scratch.owners.data() + (start - first));
+        for (int k = count; k < size; k++)
+        {
+            const Neighbor none = { i, 1 };
+            b_.lists.neighbors[start + k] = none;
+            scratch.owners[start - first + k] = i;
+        }
+        b_.lists.counts[i] = count;
+        b_.best[i] = NO_PRICE;
+    }
+    findBest<CONTRAST>(first, last, scratch.owners.data());
+}
+
+//! A neighbour is known in a list if it is where it was seen last. Without branches: an entry is written in any case
+//! and is written over by the next if its neighbour is known, or is the region itself.
+template <bool CONTRAST> int SimilarMerger::joinList(int region, int* positions, int* owners)
+{
+    const int start = b_.lists.starts[region];
+    const int* numbers = b_.numbers.data();
+    Neighbor* list = b_.lists.neighbors.data() + start;
+    int64* contrasts = CONTRAST ? b_.lists.contrasts.data() + start : 0;
+    int count = 0;
+    for (int k = b_.firsts[region]; k >= 0; k = b_.nexts[k])
+    {
+        const int first = b_.last_lists.starts[k], size = b_.last_lists.counts[k];
+        const Neighbor* last = b_.last_lists.neighbors.data() + first;
+        for (int i = 0; i < size; i++)
+        {
+            const int neighbor = numbers[last[i].region];
+            const Neighbor added = { neighbor, 0 };
+            list[count] = added;
+            owners[count] = region;
+            if (CONTRAST)
+                contrasts[count] = 0;
+            int position = positions[neighbor] - start;
+            position = unsigned(position) < unsigned(count) ? position : count;
+            position = list[position].region == neighbor ? position : count;
+            positions[neighbor] = start + position;
+            list[position].length += last[i].length;
+            if (CONTRAST)
+                contrasts[position] += b_.last_lists.contrasts[first + i];
+            count += (position == count) & (neighbor != region);
+        }
+    }
+    return count;
+}
+
+//! Of the regions that own the entries first..last-1.
+template <bool CONTRAST> void SimilarMerger::findBest(int first, int last, const int* owners)
+{
+    enum { BATCH = 256 };
+    int parts[2 * BATCH], costs[BATCH];
+    float areas[2][BATCH], lengths[BATCH], contrasts[BATCH];
+    const int length_exponent = length_exponent_, contrast_exponent = CONTRAST ? contrast_exponent_ : 0;
+    const MergeRegion* regions = b_.regions.data();
+    int owner = -1;
+    uint64 best = NO_PRICE;
+    for (int begin = first; begin < last; begin += BATCH)
+    {
+        const int count = std::min(int(BATCH), last - begin);
+        const Neighbor* neighbors = b_.lists.neighbors.data() + begin;
+        const int* owners_here = owners + (begin - first);
+        measureDistances(begin, count, owners_here, parts);
+        for (int i = 0; i < count; i++)
+        {
+            areas[0][i] = regions[owners_here[i]].area;
+            areas[1][i] = regions[neighbors[i].region].area;
+            lengths[i] = float(neighbors[i].length);
+            if (CONTRAST)
+                contrasts[i] = float(b_.lists.contrasts[begin + i] + 16 * int64(neighbors[i].length));
+        }
+        for (int i = 0; i < count; i++)
+            costs[i] = unionCost(parts[2 * i] + parts[2 * i + 1], areas[0][i], areas[1][i], lengths[i],
+                                 CONTRAST ? contrasts[i] : 1, length_exponent, contrast_exponent);
+        for (int i = 0; i < count; i++)
+        {
+            const int region = owners_here[i], neighbor = neighbors[i].region;
+            const uint64 now = neighbor == region ? NO_PRICE : price(costs[i], region, neighbor);
+            best = std::min(region == owner ? best : NO_PRICE, now);
+            owner = region;
+            b_.best[region] = best;
         }
     }
 }
 
-//! The boundary at the lowest cost, which is lowest_ then; NONE if there is none.
-int SimilarMerger::pop()
+//! The squared distances of the means, in 1/256 of a squared level, each as a sum of two parts.
+void SimilarMerger::measureDistances(int first, int count, const int* owners, int* parts) const
 {
-    for (; lowest_ < COSTS; lowest_++)
-        while (first_[lowest_] != NONE)
+    const Neighbor* neighbors = b_.lists.neighbors.data() + first;
+    const MergeRegion* regions = b_.regions.data();
+    if (distance_.with_depth)
+    {
+        for (int i = 0; i < count; i++)
         {
-            const MergeBuffers::Entry entry = entries_[first_[lowest_]];
-            first_[lowest_] = entry.next;
-            touchRegions(entry.next);
-            if (graph_.boundaries()[entry.boundary].exists() && queued_at_[entry.boundary] == lowest_)
-                return entry.boundary;
+            parts[2 * i] = squaredDistance(distance_, regions[owners[i]].mean, regions[neighbors[i].region].mean);
+            parts[2 * i + 1] = 0;
         }
-    return NONE;
+        return;
+    }
+    for (int i = 0; i < count; i += 2)
+    {
+        const int next = std::min(i + 1, count - 1);
+        const v_int16x8 a = v_load_halves(regions[owners[i]].mean, regions[owners[next]].mean);
+        const v_int16x8 b = v_load_halves(regions[neighbors[i].region].mean, regions[neighbors[next].region].mean);
+        const v_int16x8 difference = v_sub_wrap(a, b);
+        v_store(parts + 2 * i, v_dotprod(difference, difference));
+    }
 }
 
-//! The region with fewer neighbours goes into the other one.
-void SimilarMerger::unite(int a, int b)
+//! Pairs of regions that are the best to each other; and what has few neighbours with its best, where that has many.
+void SimilarMerger::findCandidates()
 {
-    const bool b_goes = graph_.degree(b) < graph_.degree(a) || (graph_.degree(b) == graph_.degree(a) && a < b);
-    const int from = b_goes ? b : a, to = b_goes ? a : b;
-    regions_.sums[to].add(regions_.sums[from]);
-    regions_.update(to);
-    graph_.unite(from, to, joined_);
-    unions_.push_back(Vec2i(from, to));
-    const int FEW = 32;
-    if (graph_.degree(to) <= FEW)
-        for (int i = graph_.first(to); i != NONE; i = graph_.next(to, i))
-            pushIfLower(i);
-    else
-        for (size_t i = 0; i < joined_.size(); i++)
-            pushIfLower(joined_[i]);
+    b_.candidates.clear();
+    for (int i = 0; i < int(b_.regions.size()); i++)
+    {
+        const int to = neighborOf(i, b_.best[i]);
+        if (to == i)
+            continue;
+        const bool mutual = b_.best[to] == b_.best[i];
+        if (mutual ? to < i : b_.lists.counts[to] > MANY && b_.lists.counts[i] <= MANY)
+        {
+            const MergeBuffers::Candidate candidate = { b_.best[i], i, to };
+            b_.candidates.push_back(candidate);
+        }
+    }
+}
+
+//! The region that a region goes into, which stays: one that goes itself takes in only what has few neighbours.
+static int rootOf(const std::vector<int>& parents, int region)
+{
+    return parents[parents[region]];
+}
+
+//! Unites the first of the candidates.
+void SimilarMerger::unite(size_t count)
+{
+    const int n = int(b_.regions.size());
+    for (int i = 0; i < n; i++)
+        b_.parents[i] = i;
+    std::fill(b_.nexts.begin(), b_.nexts.begin() + n, -1);
+    for (size_t i = 0; i < count; i++)
+        b_.parents[b_.candidates[i].from] = b_.candidates[i].to;
+    for (size_t i = 0; i < count; i++)
+    {
+        const int from = b_.candidates[i].from, root = rootOf(b_.parents, from);
+        const int original = b_.regions[from].original;
+        originals_.sums[b_.regions[root].original].add(originals_.sums[original]);
+        unions_.push_back(Vec2i(original, b_.regions[b_.candidates[i].to].original));
+        b_.nexts[from] = b_.nexts[root];
+        b_.nexts[root] = from;
+    }
+    number();
+    for (size_t i = 0; i < count; i++)
+        b_.numbers[b_.candidates[i].from] = b_.numbers[rootOf(b_.parents, b_.candidates[i].from)];
+}
+
+//! Numbers the regions that stay, in place.
+void SimilarMerger::number()
+{
+    const int n = int(b_.regions.size());
+    int count = 0;
+    for (int i = 0; i < n; i++)
+    {
+        if (b_.parents[i] != i)
+            continue;
+        const int original = b_.regions[i].original;
+        if (b_.nexts[i] >= 0)
+        {
+            originals_.update(original);
+            b_.regions[i] = describe(original);
+        }
+        b_.regions[count] = b_.regions[i];
+        b_.firsts[count] = i;
+        b_.numbers[i] = count++;
+    }
+    b_.regions.resize(count);
+}
+
+void applyUnions(const std::vector<Vec2i>& unions, size_t count, int num_regions, std::vector<int>& parents)
+{
+    parents.resize(num_regions);
+    for (int i = 0; i < num_regions; i++)
+        parents[i] = i;
+    for (size_t i = 0; i < count; i++)
+        parents[unions[i][0]] = unions[i][1];
 }
 
 }}} // namespace

@@ -5,25 +5,49 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
+#include "shared/neighbor_lists.hpp"
 #include "shared/region_distance.hpp"
-#include "shared/region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
+
+//! What the cost of a union reads of a region, in 16 bytes.
+struct MergeRegion
+{
+    short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
+    float area;
+    int original;  //!< its number before merging began
+};
 
 //! Buffers of merging.
 struct MergeBuffers
 {
-    struct Entry
+    //! A union that may be done in a round, and its price.
+    struct Candidate
     {
-        int boundary, next;
+        uint64 price;
+        int from, to;
+
+        bool operator<(const Candidate& c) const { return price < c.price || (price == c.price && from < c.from); }
     };
-    RegionGraph graph;
-    std::vector<int> queued_at;   // cost of each boundary when it was queued last
-    std::vector<Entry> entries;   // of the queues, one for each cost
-    std::vector<int> first, last; // entries of each queue
+
+    //! Of the threads that join lists.
+    struct Scratch
+    {
+        std::vector<int> positions; // by region: where it was seen in a list last
+        std::vector<int> owners;    // regions whose lists the entries of a chunk are in
+    };
+
+    NeighborLists lists, last_lists;
+    std::vector<MergeRegion> regions;
+    std::vector<uint64> best;         // of each region: price of the cheapest union
+    std::vector<Candidate> candidates;
+    std::vector<int> parents;         // the region that takes a region in, or itself
+    std::vector<int> numbers;         // after the round
+    std::vector<int> firsts, nexts;   // chains of the regions that become one
+    std::vector<Scratch> scratch;
 };
 
-//! Merges pairs of neighbouring regions, cheapest first.
+//! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
 class SimilarMerger
 {
 public:
@@ -31,38 +55,34 @@ public:
     SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                   MergeBuffers& buffers, Regions& regions);
 
-    //! To be filled with the boundaries of the regions before run().
-    RegionGraph& graph() { return graph_; }
-
-    //! Merges until num_regions are left, or none has a neighbour.
-    void run(int num_regions);
+    //! Merges the regions of a label map until num_regions are left, or none has a neighbour. contrasts may be 0
+    //! where their exponent is 0.
+    void run(const Mat& labels, int num_regions, const EdgeContrasts* contrasts = 0);
 
     //! What was merged, in order: a region and the one that took it in.
     const std::vector<Vec2i>& unions() const { return unions_; }
 
 private:
-    enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
-
-    int cost(const RegionGraph::Boundary& boundary) const;
-    int squaredDistance(const RegionMean& a, const RegionMean& b) const;
-    void push(int boundary, int cost);
-    void pushIfLower(int boundary);
-    int pop();
-    void touchRegions(int entry) const;
-    void unite(int a, int b);
+    MergeRegion describe(int original) const;
+    void start();
+    void joinLists();
+    template <bool CONTRAST> void joinLists(const Range& regions, MergeBuffers::Scratch& scratch);
+    template <bool CONTRAST> int joinList(int region, int* positions, int* owners);
+    template <bool CONTRAST> void findBest(int first, int last, const int* owners);
+    void measureDistances(int first, int count, const int* owners, int* parts) const;
+    void findCandidates();
+    void unite(size_t count);
+    void number();
 
     const RegionDistance distance_;
     const int length_exponent_, contrast_exponent_;
-    Regions& regions_;
-    RegionGraph& graph_;
-    std::vector<int>& queued_at_;
-    std::vector<MergeBuffers::Entry>& entries_;
-    std::vector<int>& first_;
-    std::vector<int>& last_;
-    int lowest_;
+    Regions& originals_;
+    MergeBuffers& b_;
     std::vector<Vec2i> unions_;
-    std::vector<int> joined_; // boundaries that have become longer
 };
+
+//! The region that took each one in, or itself, after the first of the unions.
+void applyUnions(const std::vector<Vec2i>& unions, size_t count, int num_regions, std::vector<int>& parents);
 
 }}} // namespace
 

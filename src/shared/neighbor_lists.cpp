@@ -1,0 +1,143 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "shared/neighbor_lists.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Some pixel edges side by side between two regions.
+struct BoundaryPiece
+{
+    int regions[2];
+    int length;
+};
+
+//! The boundaries in some rows, in raster order.
+struct BoundaryBand
+{
+    std::vector<BoundaryPiece> pieces;
+    std::vector<int64> contrasts; //!< of the pieces
+    int first = 0;                //!< lowest of their regions
+    std::vector<int> positions;   //!< by region from the first on: how many entries, then where the next one goes
+};
+
+static void add(int a, int b, int length, int64 contrast, bool with_contrasts, BoundaryBand& band)
+{
+    const BoundaryPiece piece = { { a, b }, length };
+    band.pieces.push_back(piece);
+    if (with_contrasts)
+        band.contrasts.push_back(contrast);
+}
+
+//! Edges between a row and the one below, of which those side by side between the same regions are one piece.
+static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
+{
+    const int *row = labels.ptr<int>(y), *below = labels.ptr<int>(y + 1);
+    for (int x = 0; x < labels.cols;)
+    {
+        const int a = row[x], b = below[x], begin = x++;
+        if (a == b || (a | b) < 0)
+            continue;
+        while (x < labels.cols && row[x] == a && below[x] == b)
+            x++;
+        int64 contrast = 0;
+        for (int i = begin; contrasts && i < x; i++)
+            contrast += contrasts->below(Point(i, y));
+        add(a, b, x - begin, contrast, contrasts != 0, band);
+    }
+}
+
+static void addEdgesRight(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
+{
+    const int* row = labels.ptr<int>(y);
+    for (int x = 0; x + 1 < labels.cols; x++)
+        if (row[x] != row[x + 1] && (row[x] | row[x + 1]) >= 0)
+            add(row[x], row[x + 1], 1, contrasts ? contrasts->right(Point(x, y)) : 0, contrasts != 0, band);
+}
+
+//! Regions that touch the rows of a band mostly have numbers that are near each other.
+static void countEntries(BoundaryBand& band)
+{
+    band.positions.clear();
+    if (band.pieces.empty())
+        return;
+    int last = 0;
+    band.first = INT_MAX;
+    for (size_t i = 0; i < band.pieces.size(); i++)
+    {
+        const int* regions = band.pieces[i].regions;
+        band.first = std::min(band.first, std::min(regions[0], regions[1]));
+        last = std::max(last, std::max(regions[0], regions[1]));
+    }
+    band.positions.assign(last + 1 - band.first, 0);
+    for (size_t i = 0; i < band.pieces.size(); i++)
+        for (int side = 0; side < 2; side++)
+            band.positions[band.pieces[i].regions[side] - band.first]++;
+}
+
+//! Lists of regions one after the other, in each of them the entries of the bands one after the other.
+static void placeEntries(int num_regions, std::vector<BoundaryBand>& bands, NeighborLists& lists)
+{
+    lists.counts.assign(num_regions, 0);
+    lists.starts.resize(num_regions);
+    for (size_t k = 0; k < bands.size(); k++)
+        for (size_t i = 0; i < bands[k].positions.size(); i++)
+        {
+            int& count = lists.counts[bands[k].first + i];
+            const int in_band = bands[k].positions[i];
+            bands[k].positions[i] = count; // in the list, as yet
+            count += in_band;
+        }
+    int start = 0;
+    for (int i = 0; i < num_regions; i++)
+    {
+        lists.starts[i] = start;
+        start += lists.counts[i];
+    }
+    lists.neighbors.resize(start);
+}
+
+static void writeEntries(BoundaryBand& band, NeighborLists& lists)
+{
+    for (size_t i = 0; i < band.pieces.size(); i++)
+        for (int side = 0; side < 2; side++)
+        {
+            const int region = band.pieces[i].regions[side];
+            const int position = lists.starts[region] + band.positions[region - band.first]++;
+            const Neighbor neighbor = { band.pieces[i].regions[!side], band.pieces[i].length };
+            lists.neighbors[position] = neighbor;
+            if (!band.contrasts.empty())
+                lists.contrasts[position] = band.contrasts[i];
+        }
+}
+
+void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts, NeighborLists& lists)
+{
+    CV_TRACE_FUNCTION();
+    const int LOWEST = 16, MOST = 16; // bands do not depend on the number of threads
+    const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST), num_bands = (labels.rows + height - 1) / height;
+    std::vector<BoundaryBand> bands(num_bands);
+    parallel_for_(Range(0, num_bands), [&](const Range& range)
+    {
+        for (int k = range.start; k < range.end; k++)
+        {
+            for (int y = k * height; y < std::min((k + 1) * height, labels.rows); y++)
+            {
+                addEdgesRight(labels, y, contrasts, bands[k]);
+                if (y + 1 < labels.rows)
+                    addEdgesBelow(labels, y, contrasts, bands[k]);
+            }
+            countEntries(bands[k]);
+        }
+    });
+    placeEntries(num_regions, bands, lists);
+    lists.contrasts.resize(contrasts ? lists.neighbors.size() : 0);
+    parallel_for_(Range(0, num_bands), [&](const Range& range)
+    {
+        for (int k = range.start; k < range.end; k++)
+            writeEntries(bands[k], lists);
+    });
+}
+
+}}} // namespace

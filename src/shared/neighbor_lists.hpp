@@ -1,0 +1,43 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_NEIGHBOR_LISTS_HPP
+#define OPENCV_GWATERSHED_NEIGHBOR_LISTS_HPP
+
+#include "precomp.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! A neighbour of a region, and their common boundary.
+struct Neighbor
+{
+    int region;
+    int length; //!< in pixel edges
+};
+
+//! The neighbours of each region, one list after the other. Each boundary is in the lists of both of its regions, so
+//! that all there is to know of a region lies in one place.
+struct NeighborLists
+{
+    std::vector<int> starts, counts;  //!< of the list of each region
+    std::vector<Neighbor> neighbors;
+    std::vector<int64> contrasts;     //!< sums over the boundaries; empty if they are not asked for
+};
+
+//! Contrasts of the edges of a label map, between a pixel and the one at its right, or below it, in rows of their own.
+class EdgeContrasts
+{
+public:
+    virtual ~EdgeContrasts() {}
+    virtual int right(Point p) const = 0;
+    virtual int below(Point p) const = 0;
+};
+
+//! The boundaries of a label map; labels below 0 have none. A neighbour may be in a list several times. contrasts
+//! may be 0.
+void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts, NeighborLists& lists);
+
+}}} // namespace
+
+#endif
