@@ -45,7 +45,7 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     MergeBuffers buffers;
     SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
     const FeatureContrasts contrasts(features, distance);
-    merger.run(labels, 1, &contrasts);
+    merger.runToTheEnd(labels, contrasts);
 
     labels.copyTo(labels_);
     unions_ = merger.unions();

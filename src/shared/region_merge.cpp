@@ -10,7 +10,8 @@ namespace cv { namespace ximgproc { namespace gws {
 // they may be united; the cheaper ones of these pairs are. Then regions are numbered anew, in the same order, so what
 // lies near in the image stays near in memory, and their lists are joined. All regions can do that at the same time.
 
-static const double SHARE = 0.5; // of the candidates that are united in a round
+// Of the candidates, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
+static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 1.5;
 static const int MANY = 64;      // neighbours: a region with more takes in all to which it is the best
 static const uint64 NO_PRICE = ~uint64(0);
 
@@ -68,22 +69,32 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent
 {
 }
 
-void SimilarMerger::run(const Mat& labels, int num_regions, const EdgeContrasts* contrasts)
+void SimilarMerger::run(const Mat& labels, int num_regions)
 {
-    listNeighbors(labels, originals_.size(), contrasts, b_.lists);
+    listNeighbors(labels, originals_.size(), 0, b_.lists);
+    runRounds(num_regions, SHARE_FAR);
+}
+
+void SimilarMerger::runToTheEnd(const Mat& labels, const EdgeContrasts& contrasts)
+{
+    listNeighbors(labels, originals_.size(), &contrasts, b_.lists);
+    runRounds(1, SHARE);
+}
+
+void SimilarMerger::runRounds(int num_regions, double share_far)
+{
     start();
-    for (;;)
+    while (int(b_.regions.size()) > num_regions)
     {
-        const int left = int(b_.regions.size()) - num_regions;
-        if (left <= 0)
-            return;
         joinLists();
         findCandidates();
         if (b_.candidates.empty())
             return;
-        const size_t count = std::min(size_t(left), size_t(std::ceil(SHARE * double(b_.candidates.size()))));
+        const size_t left = b_.regions.size() - num_regions, found = b_.candidates.size();
+        const double share = double(b_.regions.size()) > FAR * num_regions ? share_far : SHARE;
+        const size_t count = std::min(left, size_t(std::ceil(share * double(found))));
         std::nth_element(b_.candidates.begin(), b_.candidates.begin() + (count - 1), b_.candidates.end());
-        if (contrasts)
+        if (contrast_exponent_ > 0)
             std::sort(b_.candidates.begin(), b_.candidates.begin() + count);
         unite(count);
     }
@@ -115,11 +126,10 @@ MergeRegion SimilarMerger::describe(int original) const
     return region;
 }
 
-//! Makes the lists of the regions of this round from those of the regions that they were in the last one, and finds
-//! the best neighbour of each.
-void SimilarMerger::joinLists()
+//! Each list gets the room of those that it is made of.
+void SimilarMerger::placeLists()
 {
-    const int n = int(b_.regions.size()), CHUNK = 1024, num_chunks = (n + CHUNK - 1) / CHUNK;
+    const int n = int(b_.regions.size());
     std::swap(b_.lists, b_.last_lists);
     b_.lists.starts.resize(n + 1);
     b_.lists.counts.resize(n);
@@ -133,6 +143,19 @@ void SimilarMerger::joinLists()
     b_.lists.starts[n] = end;
     b_.lists.neighbors.resize(end);
     b_.lists.contrasts.resize(contrast_exponent_ > 0 ? end : 0);
+    if (b_.first_position > INT_MAX - end)
+    {
+        b_.first_position = 1;
+        b_.scratch.clear();
+    }
+}
+
+//! Makes the lists of the regions of this round from those of the regions that they were in the last one, and finds
+//! the best neighbour of each.
+void SimilarMerger::joinLists()
+{
+    placeLists();
+    const int n = int(b_.regions.size()), CHUNK = 1024, num_chunks = (n + CHUNK - 1) / CHUNK;
     b_.scratch.resize(std::max(int(b_.scratch.size()), num_chunks));
     parallel_for_(Range(0, num_chunks), [&](const Range& range)
     {
@@ -147,6 +170,7 @@ void SimilarMerger::joinLists()
                 joinLists<false>(regions, scratch);
         }
     });
+    b_.first_position += b_.lists.starts[n];
 }
 
 template <bool CONTRAST> void SimilarMerger::joinLists(const Range& regions, MergeBuffers::Scratch& scratch)
@@ -169,11 +193,12 @@ template <bool CONTRAST> void SimilarMerger::joinLists(const Range& regions, Mer
     findBest<CONTRAST>(first, last, scratch.owners.data());
 }
 
-//! A neighbour is known in a list if it is where it was seen last. Without branches: an entry is written in any case
-//! and is written over by the next if its neighbour is known, or is the region itself.
+//! A neighbour is known if its position is in this list: others are those of lists before it, and are lower.
+//! Without branches: an entry is written in any case, and the next is written over it if its neighbour is known, or
+//! is the region itself.
 template <bool CONTRAST> int SimilarMerger::joinList(int region, int* positions, int* owners)
 {
-    const int start = b_.lists.starts[region];
+    const int start = b_.lists.starts[region], first_position = b_.first_position + start;
     const int* numbers = b_.numbers.data();
     Neighbor* list = b_.lists.neighbors.data() + start;
     int64* contrasts = CONTRAST ? b_.lists.contrasts.data() + start : 0;
@@ -190,10 +215,9 @@ template <bool CONTRAST> int SimilarMerger::joinList(int region, int* positions,
             owners[count] = region;
             if (CONTRAST)
                 contrasts[count] = 0;
-            int position = positions[neighbor] - start;
-            position = unsigned(position) < unsigned(count) ? position : count;
-            position = list[position].region == neighbor ? position : count;
-            positions[neighbor] = start + position;
+            const int known = positions[neighbor] - first_position;
+            const int position = known >= 0 ? known : count;
+            positions[neighbor] = neighbor == region ? 0 : first_position + position;
             list[position].length += last[i].length;
             if (CONTRAST)
                 contrasts[position] += b_.last_lists.contrasts[first + i];

@@ -33,7 +33,7 @@ struct MergeBuffers
     //! Of the threads that join lists.
     struct Scratch
     {
-        std::vector<int> positions; // by region: where it was seen in a list last
+        std::vector<int> positions; // by region: where it was written to a list last; they grow from round to round
         std::vector<int> owners;    // regions whose lists the entries of a chunk are in
     };
 
@@ -45,6 +45,7 @@ struct MergeBuffers
     std::vector<int> numbers;         // after the round
     std::vector<int> firsts, nexts;   // chains of the regions that become one
     std::vector<Scratch> scratch;
+    int first_position = 1;           // of the lists of this round
 };
 
 //! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
@@ -55,9 +56,11 @@ public:
     SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                   MergeBuffers& buffers, Regions& regions);
 
-    //! Merges the regions of a label map until num_regions are left, or none has a neighbour. contrasts may be 0
-    //! where their exponent is 0.
-    void run(const Mat& labels, int num_regions, const EdgeContrasts* contrasts = 0);
+    //! Merges the regions of a label map until num_regions are left, or none has a neighbour.
+    void run(const Mat& labels, int num_regions);
+
+    //! The same until none has a neighbour, with contrasts, and so that any number on the way is as good.
+    void runToTheEnd(const Mat& labels, const EdgeContrasts& contrasts);
 
     //! What was merged, in order: a region and the one that took it in.
     const std::vector<Vec2i>& unions() const { return unions_; }
@@ -65,6 +68,8 @@ public:
 private:
     MergeRegion describe(int original) const;
     void start();
+    void runRounds(int num_regions, double share_far);
+    void placeLists();
     void joinLists();
     template <bool CONTRAST> void joinLists(const Range& regions, MergeBuffers::Scratch& scratch);
     template <bool CONTRAST> int joinList(int region, int* positions, int* owners);
