@@ -10,8 +10,10 @@ namespace cv { namespace ximgproc { namespace gws {
 struct BoundaryPiece
 {
     int regions[2];
-    int length;
+    int length, x; //!< and its first column
 };
+
+// Pieces are listed without branches that no one could foresee: what is none is written over by the next.
 
 //! The boundaries in some rows, in raster order.
 struct BoundaryBand
@@ -22,38 +24,49 @@ struct BoundaryBand
     std::vector<int> positions;   //!< by region from the first on: how many entries, then where the next one goes
 };
 
-static void add(int a, int b, int length, int64 contrast, bool with_contrasts, BoundaryBand& band)
-{
-    const BoundaryPiece piece = { { a, b }, length };
-    band.pieces.push_back(piece);
-    if (with_contrasts)
-        band.contrasts.push_back(contrast);
-}
-
 //! Edges between a row and the one below, of which those side by side between the same regions are one piece.
 static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
 {
     const int *row = labels.ptr<int>(y), *below = labels.ptr<int>(y + 1);
-    for (int x = 0; x < labels.cols;)
+    size_t count = band.pieces.size();
+    const size_t before = count;
+    band.pieces.resize(count + labels.cols);
+    BoundaryPiece* pieces = band.pieces.data();
+    for (int x = 0, begin = 0; x < labels.cols; x++)
     {
-        const int a = row[x], b = below[x], begin = x++;
-        if (a == b || (a | b) < 0)
-            continue;
-        while (x < labels.cols && row[x] == a && below[x] == b)
-            x++;
+        const bool ends = x + 1 == labels.cols || row[x + 1] != row[x] || below[x + 1] != below[x];
+        const BoundaryPiece piece = { { row[x], below[x] }, x + 1 - begin, begin };
+        pieces[count] = piece;
+        count += ends & (row[x] != below[x]) & ((row[x] | below[x]) >= 0);
+        begin = ends ? x + 1 : begin;
+    }
+    band.pieces.resize(count);
+    for (size_t i = before; contrasts && i < count; i++)
+    {
         int64 contrast = 0;
-        for (int i = begin; contrasts && i < x; i++)
-            contrast += contrasts->below(Point(i, y));
-        add(a, b, x - begin, contrast, contrasts != 0, band);
+        for (int x = pieces[i].x; x < pieces[i].x + pieces[i].length; x++)
+            contrast += contrasts->below(Point(x, y));
+        band.contrasts.push_back(contrast);
     }
 }
 
+//! Edges between a pixel and the one at its right.
 static void addEdgesRight(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
 {
     const int* row = labels.ptr<int>(y);
+    size_t count = band.pieces.size();
+    const size_t before = count;
+    band.pieces.resize(count + labels.cols);
+    BoundaryPiece* pieces = band.pieces.data();
     for (int x = 0; x + 1 < labels.cols; x++)
-        if (row[x] != row[x + 1] && (row[x] | row[x + 1]) >= 0)
-            add(row[x], row[x + 1], 1, contrasts ? contrasts->right(Point(x, y)) : 0, contrasts != 0, band);
+    {
+        const BoundaryPiece piece = { { row[x], row[x + 1] }, 1, x };
+        pieces[count] = piece;
+        count += (row[x] != row[x + 1]) & ((row[x] | row[x + 1]) >= 0);
+    }
+    band.pieces.resize(count);
+    for (size_t i = before; contrasts && i < count; i++)
+        band.contrasts.push_back(contrasts->right(Point(pieces[i].x, y)));
 }
 
 //! Regions that touch the rows of a band mostly have numbers that are near each other.
