@@ -6,32 +6,23 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Some pixel edges side by side between two regions.
-struct BoundaryPiece
-{
-    int regions[2];
-    int length, x; //!< and its first column
-};
-
 // Pieces are listed without branches that no one could foresee: what is none is written over by the next.
 
-//! The boundaries in some rows, in raster order.
-struct BoundaryBand
+//! Room for the pieces of one more row, behind those that are there.
+static BoundaryPiece* roomForRow(int cols, BoundaryBand& band)
 {
-    std::vector<BoundaryPiece> pieces;
-    std::vector<int64> contrasts; //!< of the pieces
-    int first = 0;                //!< lowest of their regions
-    std::vector<int> positions;   //!< by region from the first on: how many entries, then where the next one goes
-};
+    if (band.pieces.size() < band.count + cols)
+        band.pieces.resize(2 * (band.count + cols));
+    return band.pieces.data();
+}
 
 //! Edges between a row and the one below, of which those side by side between the same regions are one piece.
 static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
 {
     const int *row = labels.ptr<int>(y), *below = labels.ptr<int>(y + 1);
-    size_t count = band.pieces.size();
-    const size_t before = count;
-    band.pieces.resize(count + labels.cols);
-    BoundaryPiece* pieces = band.pieces.data();
+    const size_t before = band.count;
+    size_t count = before;
+    BoundaryPiece* pieces = roomForRow(labels.cols, band);
     for (int x = 0, begin = 0; x < labels.cols; x++)
     {
         const bool ends = x + 1 == labels.cols || row[x + 1] != row[x] || below[x + 1] != below[x];
@@ -40,7 +31,7 @@ static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contras
         count += ends & (row[x] != below[x]) & ((row[x] | below[x]) >= 0);
         begin = ends ? x + 1 : begin;
     }
-    band.pieces.resize(count);
+    band.count = count;
     for (size_t i = before; contrasts && i < count; i++)
     {
         int64 contrast = 0;
@@ -54,17 +45,16 @@ static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contras
 static void addEdgesRight(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
 {
     const int* row = labels.ptr<int>(y);
-    size_t count = band.pieces.size();
-    const size_t before = count;
-    band.pieces.resize(count + labels.cols);
-    BoundaryPiece* pieces = band.pieces.data();
+    const size_t before = band.count;
+    size_t count = before;
+    BoundaryPiece* pieces = roomForRow(labels.cols, band);
     for (int x = 0; x + 1 < labels.cols; x++)
     {
         const BoundaryPiece piece = { { row[x], row[x + 1] }, 1, x };
         pieces[count] = piece;
         count += (row[x] != row[x + 1]) & ((row[x] | row[x + 1]) >= 0);
     }
-    band.pieces.resize(count);
+    band.count = count;
     for (size_t i = before; contrasts && i < count; i++)
         band.contrasts.push_back(contrasts->right(Point(pieces[i].x, y)));
 }
@@ -73,18 +63,18 @@ static void addEdgesRight(const Mat& labels, int y, const EdgeContrasts* contras
 static void countEntries(BoundaryBand& band)
 {
     band.positions.clear();
-    if (band.pieces.empty())
+    if (band.count == 0)
         return;
     int last = 0;
     band.first = INT_MAX;
-    for (size_t i = 0; i < band.pieces.size(); i++)
+    for (size_t i = 0; i < band.count; i++)
     {
         const int* regions = band.pieces[i].regions;
         band.first = std::min(band.first, std::min(regions[0], regions[1]));
         last = std::max(last, std::max(regions[0], regions[1]));
     }
     band.positions.assign(last + 1 - band.first, 0);
-    for (size_t i = 0; i < band.pieces.size(); i++)
+    for (size_t i = 0; i < band.count; i++)
         for (int side = 0; side < 2; side++)
             band.positions[band.pieces[i].regions[side] - band.first]++;
 }
@@ -113,7 +103,7 @@ static void placeEntries(int num_regions, std::vector<BoundaryBand>& bands, Neig
 
 static void writeEntries(BoundaryBand& band, NeighborLists& lists)
 {
-    for (size_t i = 0; i < band.pieces.size(); i++)
+    for (size_t i = 0; i < band.count; i++)
         for (int side = 0; side < 2; side++)
         {
             const int region = band.pieces[i].regions[side];
@@ -125,16 +115,19 @@ static void writeEntries(BoundaryBand& band, NeighborLists& lists)
         }
 }
 
-void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts, NeighborLists& lists)
+void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts,
+                   std::vector<BoundaryBand>& bands, NeighborLists& lists)
 {
     CV_TRACE_FUNCTION();
     const int LOWEST = 16, MOST = 16; // bands do not depend on the number of threads
     const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST), num_bands = (labels.rows + height - 1) / height;
-    std::vector<BoundaryBand> bands(num_bands);
+    bands.resize(num_bands);
     parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
         for (int k = range.start; k < range.end; k++)
         {
+            bands[k].count = 0;
+            bands[k].contrasts.clear();
             for (int y = k * height; y < std::min((k + 1) * height, labels.rows); y++)
             {
                 addEdgesRight(labels, y, contrasts, bands[k]);

@@ -16,6 +16,23 @@ struct Neighbor
     int length; //!< in pixel edges
 };
 
+//! Some pixel edges side by side between two regions.
+struct BoundaryPiece
+{
+    int regions[2];
+    int length, x; //!< and its first column
+};
+
+//! The boundaries in some rows of a label map, in raster order.
+struct BoundaryBand
+{
+    std::vector<BoundaryPiece> pieces; //!< the first count, then room
+    size_t count;
+    std::vector<int64> contrasts;      //!< of the pieces
+    int first;                         //!< lowest of their regions
+    std::vector<int> positions;        //!< by region from the first on: how many entries, then where the next one goes
+};
+
 //! The neighbours of each region, one list after the other. Each boundary is in the lists of both of its regions, so
 //! that all there is to know of a region lies in one place.
 struct NeighborLists
@@ -34,9 +51,10 @@ public:
     virtual int below(Point p) const = 0;
 };
 
-//! The boundaries of a label map; labels below 0 have none. A neighbour may be in a list several times. contrasts
-//! may be 0.
-void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts, NeighborLists& lists);
+//! The boundaries of a label map; labels below 0 have none. A neighbour may be in a list several times. contrasts may
+//! be 0; bands are buffers.
+void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts,
+                   std::vector<BoundaryBand>& bands, NeighborLists& lists);
 
 }}} // namespace
 

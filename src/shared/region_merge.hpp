@@ -37,6 +37,7 @@ struct MergeBuffers
         std::vector<int> owners;    // regions whose lists the entries of a chunk are in
     };
 
+    std::vector<BoundaryBand> bands;
     NeighborLists lists, last_lists;
     std::vector<MergeRegion> regions;
     std::vector<uint64> best;         // of each region: price of the cheapest union
