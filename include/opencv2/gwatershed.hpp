@@ -58,7 +58,8 @@ enum GWatershedType
    high gradients.
 3. A flood of the blocks through first-in first-out queues, one for each priority. The priority of a
    block is its distance to the mean of the region that reaches it, plus its distance to the marker.
-4. The most similar neighbours are merged until as many regions are left as superpixels are asked for.
+4. Similar neighbours are merged until as many regions are left as superpixels are asked for, in rounds: of the pairs of
+   regions that are the most similar neighbours of each other, the more similar ones are merged at once.
 5. The boundary is settled from blocks down to pixels: its pixels go to the neighbouring region
    that is nearest in colour and depth and leaves the shortest boundary. Each further iteration
    does more of that.
@@ -98,7 +99,7 @@ is its default: check what imread() returned, since `iterate(None)` is `iterate(
 row or column may also be a std::vector of that type.
 
 **Threads.** Most loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
-cv::parallel_for_; merging, the flood of GWATERSHED, and that of RGWATERSHED with a mask, markers of the user or for
+cv::parallel_for_, and so does most of merging; the flood of GWATERSHED, and that of RGWATERSHED with a mask, markers of the user or for
 the parts of a frame that are new run on the calling thread. Different objects can be
 used in different threads at the same time; one object can not, except for its const methods.
 
@@ -107,7 +108,7 @@ nothing if one is missing or out of its range. clear() drops the segmentation, t
 factory, the mask, the markers and the buffers; the parameters stay. empty() tells whether there is no
 segmentation.
 
-**Cost.** Time and memory are linear in the number of pixels; merging adds a few microseconds for each
+**Cost.** Time and memory are linear in the number of pixels; merging adds about two microseconds for each
 superpixel, most of the time where superpixels are smaller than about 10x10 pixels. Buffers of the
 size of the image, and those of the regions, stay from one image to the next; a mask, and markers of the user, need
 some more for the time of a call.
@@ -215,16 +216,19 @@ public:
     writing the labels. Superpixels stay connected. Labels are numbered anew without gaps, in the
     old order.
 
-    The order is greedy: the pair of neighbours with the lowest cost goes next. The cost is Ward's
-    criterion, as stepwise optimization @cite Beaulieu1989 uses it, with changes found by measurement:
+    The order is found in rounds. In each of them, pairs of superpixels that are the best neighbours of each other, at
+    the lowest cost for both, are candidates; the cheaper 40 % of the candidates are merged, cheapest first. A superpixel
+    of more than 64 neighbours takes in several at once, each of which has its lowest cost there. So what is merged
+    was the best choice for both when the round began, but a pair of a later round can be cheaper than one of a round
+    before. The cost is Ward's criterion, as stepwise optimization @cite Beaulieu1989 uses it, with changes found by
+    measurement:
     @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75}
         (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
     d is the distance of the mean colours and depths, n the number of pixels, l the length of the common
     boundary in pixel edges and h the mean difference of the pixels on both sides of it. d, a root of a sum of
     squares, and h, a sum, are in 8-bit levels of the opponent space in which RGWATERSHED works, with lightness
     halved, or of the colours as they are after setLabInput(true); alpha weighs depth as it does there. It is
-    computed with logarithms in steps of 1/64 of a doubling, and a pair whose cost falls without a longer boundary
-    is noticed late in superpixels of more than 32 neighbours.
+    computed with logarithms in steps of 1/256 of a doubling, straight between powers of two.
 
     @param num_superpixels Number to reach, 1 or more. Where more are left because the rest do not touch,
     across the outside of a mask, N is larger; where there are fewer to begin with, nothing is merged.

@@ -33,7 +33,7 @@ private:
     const RegionDistance& distance_;
 };
 
-//! @note Not in the paper. Greedy merging of the region adjacency graph by Ward's criterion, as in
+//! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, which is that of
 //! S. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
 void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels)
