@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // lies near in the image stays near in memory, and their lists are joined. All regions can do that at the same time.
 
 // Of the candidates, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
-static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 1.5;
+static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
 static const int MANY = 64;      // neighbours: a region with more takes in all to which it is the best
 static const uint64 NO_PRICE = ~uint64(0);
 
