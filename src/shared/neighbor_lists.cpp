@@ -17,46 +17,35 @@ static BoundaryPiece* roomForRow(int cols, BoundaryBand& band)
 }
 
 //! Edges between a row and the one below, of which those side by side between the same regions are one piece.
-static void addEdgesBelow(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
+static void addEdgesBelow(const Mat& labels, int y, BoundaryBand& band)
 {
     const int *row = labels.ptr<int>(y), *below = labels.ptr<int>(y + 1);
-    const size_t before = band.count;
-    size_t count = before;
+    size_t count = band.count;
     BoundaryPiece* pieces = roomForRow(labels.cols, band);
     for (int x = 0, begin = 0; x < labels.cols; x++)
     {
         const bool ends = x + 1 == labels.cols || row[x + 1] != row[x] || below[x + 1] != below[x];
-        const BoundaryPiece piece = { { row[x], below[x] }, x + 1 - begin, begin };
+        const BoundaryPiece piece = { { row[x], below[x] }, x + 1 - begin };
         pieces[count] = piece;
         count += ends & (row[x] != below[x]) & ((row[x] | below[x]) >= 0);
         begin = ends ? x + 1 : begin;
     }
     band.count = count;
-    for (size_t i = before; contrasts && i < count; i++)
-    {
-        int64 contrast = 0;
-        for (int x = pieces[i].x; x < pieces[i].x + pieces[i].length; x++)
-            contrast += contrasts->below(Point(x, y));
-        band.contrasts.push_back(contrast);
-    }
 }
 
 //! Edges between a pixel and the one at its right.
-static void addEdgesRight(const Mat& labels, int y, const EdgeContrasts* contrasts, BoundaryBand& band)
+static void addEdgesRight(const Mat& labels, int y, BoundaryBand& band)
 {
     const int* row = labels.ptr<int>(y);
-    const size_t before = band.count;
-    size_t count = before;
+    size_t count = band.count;
     BoundaryPiece* pieces = roomForRow(labels.cols, band);
     for (int x = 0; x + 1 < labels.cols; x++)
     {
-        const BoundaryPiece piece = { { row[x], row[x + 1] }, 1, x };
+        const BoundaryPiece piece = { { row[x], row[x + 1] }, 1 };
         pieces[count] = piece;
         count += (row[x] != row[x + 1]) & ((row[x] | row[x + 1]) >= 0);
     }
     band.count = count;
-    for (size_t i = before; contrasts && i < count; i++)
-        band.contrasts.push_back(contrasts->right(Point(pieces[i].x, y)));
 }
 
 //! Regions that touch the rows of a band mostly have numbers that are near each other.
@@ -110,13 +99,10 @@ static void writeEntries(BoundaryBand& band, NeighborLists& lists)
             const int position = lists.starts[region] + band.positions[region - band.first]++;
             const Neighbor neighbor = { band.pieces[i].regions[!side], band.pieces[i].length };
             lists.neighbors[position] = neighbor;
-            if (!band.contrasts.empty())
-                lists.contrasts[position] = band.contrasts[i];
         }
 }
 
-void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts,
-                   std::vector<BoundaryBand>& bands, NeighborLists& lists)
+void listNeighbors(const Mat& labels, int num_regions, std::vector<BoundaryBand>& bands, NeighborLists& lists)
 {
     CV_TRACE_FUNCTION();
     const int LOWEST = 16, MOST = 16; // bands do not depend on the number of threads
@@ -127,18 +113,17 @@ void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* cont
         for (int k = range.start; k < range.end; k++)
         {
             bands[k].count = 0;
-            bands[k].contrasts.clear();
             for (int y = k * height; y < std::min((k + 1) * height, labels.rows); y++)
             {
-                addEdgesRight(labels, y, contrasts, bands[k]);
+                addEdgesRight(labels, y, bands[k]);
                 if (y + 1 < labels.rows)
-                    addEdgesBelow(labels, y, contrasts, bands[k]);
+                    addEdgesBelow(labels, y, bands[k]);
             }
             countEntries(bands[k]);
         }
     });
     placeEntries(num_regions, bands, lists);
-    lists.contrasts.resize(contrasts ? lists.neighbors.size() : 0);
+    lists.contrasts.clear();
     parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
         for (int k = range.start; k < range.end; k++)

@@ -20,7 +20,7 @@ struct Neighbor
 struct BoundaryPiece
 {
     int regions[2];
-    int length, x; //!< and its first column
+    int length;
 };
 
 //! The boundaries in some rows of a label map, in raster order.
@@ -28,7 +28,6 @@ struct BoundaryBand
 {
     std::vector<BoundaryPiece> pieces; //!< the first count, then room
     size_t count;
-    std::vector<int64> contrasts;      //!< of the pieces
     int first;                         //!< lowest of their regions
     std::vector<int> positions;        //!< by region from the first on: how many entries, then where the next one goes
 };
@@ -42,19 +41,9 @@ struct NeighborLists
     std::vector<int64> contrasts;     //!< sums over the boundaries; empty if they are not asked for
 };
 
-//! Contrasts of the edges of a label map, between a pixel and the one at its right, or below it, in rows of their own.
-class EdgeContrasts
-{
-public:
-    virtual ~EdgeContrasts() {}
-    virtual int right(Point p) const = 0;
-    virtual int below(Point p) const = 0;
-};
-
-//! The boundaries of a label map; labels below 0 have none. A neighbour may be in a list several times. contrasts may
-//! be 0; bands are buffers.
-void listNeighbors(const Mat& labels, int num_regions, const EdgeContrasts* contrasts,
-                   std::vector<BoundaryBand>& bands, NeighborLists& lists);
+//! The boundaries of a label map, without contrasts; labels below 0 have none. A neighbour may be in a list several
+//! times. bands are buffers.
+void listNeighbors(const Mat& labels, int num_regions, std::vector<BoundaryBand>& bands, NeighborLists& lists);
 
 }}} // namespace
 

@@ -71,13 +71,12 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent
 
 void SimilarMerger::run(const Mat& labels, int num_regions)
 {
-    listNeighbors(labels, originals_.size(), 0, b_.bands, b_.lists);
+    listNeighbors(labels, originals_.size(), b_.bands, b_.lists);
     runRounds(num_regions, SHARE_FAR);
 }
 
-void SimilarMerger::runToTheEnd(const Mat& labels, const EdgeContrasts& contrasts)
+void SimilarMerger::runToTheEnd()
 {
-    listNeighbors(labels, originals_.size(), &contrasts, b_.bands, b_.lists);
     runRounds(1, SHARE);
 }
 

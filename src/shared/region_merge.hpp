@@ -60,8 +60,8 @@ public:
     //! Merges the regions of a label map until num_regions are left, or none has a neighbour.
     void run(const Mat& labels, int num_regions);
 
-    //! The same until none has a neighbour, with contrasts, and so that any number on the way is as good.
-    void runToTheEnd(const Mat& labels, const EdgeContrasts& contrasts);
+    //! The same until none has a neighbour, with the lists of the buffers, and so that any number on the way is as good.
+    void runToTheEnd();
 
     //! What was merged, in order: a region and the one that took it in.
     const std::vector<Vec2i>& unions() const { return unions_; }
