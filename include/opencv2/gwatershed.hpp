@@ -99,7 +99,8 @@ is its default: check what imread() returned, since `iterate(None)` is `iterate(
 row or column may also be a std::vector of that type.
 
 **Threads.** Most loops over pixels, the flood of RGWATERSHED and the moves of boundary pixels run under
-cv::parallel_for_, and so does most of merging; the flood of GWATERSHED, and that of RGWATERSHED with a mask, markers of the user or for
+cv::parallel_for_, and so does most of merging; the flood of GWATERSHED, and that of RGWATERSHED with a mask,
+markers of the user or for
 the parts of a frame that are new run on the calling thread. Different objects can be
 used in different threads at the same time; one object can not, except for its const methods.
 

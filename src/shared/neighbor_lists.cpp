@@ -106,7 +106,8 @@ void listNeighbors(const Mat& labels, int num_regions, std::vector<BoundaryBand>
 {
     CV_TRACE_FUNCTION();
     const int LOWEST = 16, MOST = 16; // bands do not depend on the number of threads
-    const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST), num_bands = (labels.rows + height - 1) / height;
+    const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST);
+    const int num_bands = (labels.rows + height - 1) / height;
     bands.resize(num_bands);
     parallel_for_(Range(0, num_bands), [&](const Range& range)
     {

@@ -27,13 +27,16 @@ struct MergeBuffers
         uint64 price;
         int from, to;
 
-        bool operator<(const Candidate& c) const { return price < c.price || (price == c.price && from < c.from); }
+        bool operator<(const Candidate& c) const
+        {
+            return price < c.price || (price == c.price && from < c.from);
+        }
     };
 
     //! Of the threads that join lists.
     struct Scratch
     {
-        std::vector<int> positions; // by region: where it was written to a list last; they grow from round to round
+        std::vector<int> positions; // by region: where it was written to a list last; they grow with the rounds
         std::vector<int> owners;    // regions whose lists the entries of a chunk are in
     };
 
