@@ -10,21 +10,21 @@
 namespace opencv_test
 {
 
-//! The sizes that every case is timed at.
-#define GWATERSHED_PERF_SIZES testing::Values(szVGA, sz720p, sz1080p, sz2160p)
+CV_ENUM(SuperpixelAlgorithm, RGWATERSHED, GWATERSHED)
 
-//! Side in pixels of the superpixels that every case makes.
-const int PERF_REGION_SIZE = 20;
-
-inline int perfNumSuperpixels(Size size)
+//! One for each square of region_size x region_size pixels.
+inline int countSuperpixels(Size size, int region_size)
 {
-    return size.area() / (PERF_REGION_SIZE * PERF_REGION_SIZE);
+    return cvRound(double(size.area()) / (region_size * region_size));
 }
 
-/** Different pictures of one size, used in turn: a branch predictor learns a single one.
+//! One pixel in the middle of each square of region_size x region_size pixels, numbered from 1 on; CV_32SC1.
+Mat makeGridMarkers(Size size, int region_size);
 
-They are cut out of the photographs of OpenCV's samples/data (OPENCV_SAMPLES_DATA_PATH), with
-the disparity of aloeL.jpg as depth; out of generated scenes where these are not found. */
+/** Mosaics of one size, used in turn: caches and branch predictors know a picture that they have seen before.
+
+The mosaics are made of pieces of the photographs in OpenCV's samples/data (OPENCV_SAMPLES_DATA_PATH), and their
+depth of pieces of aloeGT.png. What is not found is replaced by generated scenes. */
 class Pictures
 {
 public:
@@ -32,6 +32,8 @@ public:
 
     //! Goes on to the next picture.
     void next() { index_ = (index_ + 1) % images_.size(); }
+    //! Goes to one picture; beyond the last one follows the first one.
+    void choose(size_t index) { index_ = index % images_.size(); }
     const Mat& image() const { return images_[index_]; } //!< CV_8UC3
     const Mat& depth() const { return depths_[index_]; } //!< CV_16UC1
 

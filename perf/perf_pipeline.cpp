@@ -8,64 +8,62 @@ namespace opencv_test { namespace {
 
 // What a pipeline does beside and after the segmentation of single images.
 
-CV_ENUM(Algorithm_, RGWATERSHED, GWATERSHED)
+const int REGION_SIZE = 20;
 
-typedef PicturesTest<tuple<Algorithm_, Size> > Perf_GWatershed_pipeline;
+typedef tuple<SuperpixelAlgorithm, Size> AlgorithmAndSize;
+typedef PicturesTest<AlgorithmAndSize> Perf_GWatershed;
 
-#define PIPELINE_PARAMS testing::Combine(Algorithm_::all(), testing::Values(szVGA, sz1080p))
+testing::internal::ParamGenerator<AlgorithmAndSize> algorithmsAndSizes()
+{
+    return testing::Combine(SuperpixelAlgorithm::all(), testing::Values(szVGA, sz1080p));
+}
 
-static Ptr<SuperpixelGWatershed> createForPerf(const tuple<Algorithm_, Size>& param)
+Ptr<SuperpixelGWatershed> create(const AlgorithmAndSize& param)
 {
     const Size size = get<1>(param);
-    return createSuperpixelGWatershed(size.width, size.height, 3, perfNumSuperpixels(size), get<0>(param));
+    return createSuperpixelGWatershed(size.width, size.height, 3, countSuperpixels(size, REGION_SIZE), get<0>(param));
 }
 
 //! All but the corners: nearly every pixel is inside, and the mask is not full.
-PERF_TEST_P(Perf_GWatershed_pipeline, nearly_full_mask, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, nearly_full_mask, algorithmsAndSizes())
 {
     const Size size = get<1>(GetParam());
     Pictures pictures(size);
     Mat mask(size, CV_8UC1, Scalar(255));
     rectangle(mask, Rect(0, 0, 3, 3), Scalar(0), FILLED);
     rectangle(mask, Rect(size.width - 3, size.height - 3, 3, 3), Scalar(0), FILLED);
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
     gws->setMask(mask);
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); });
 }
 
 //! A disc of an eighth of the image, with an eighth of the superpixels.
-PERF_TEST_P(Perf_GWatershed_pipeline, small_mask, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, small_mask, algorithmsAndSizes())
 {
     const Size size = get<1>(GetParam());
     Pictures pictures(size);
     Mat mask = Mat::zeros(size, CV_8UC1);
     const int radius = cvRound(std::sqrt(size.area() / (8 * CV_PI)));
     circle(mask, Point(size.width / 2, size.height / 2), radius, Scalar(255), FILLED);
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
-    gws->setRegionSize(PERF_REGION_SIZE);
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
+    gws->setRegionSize(REGION_SIZE);
     gws->setMask(mask);
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); });
 }
 
-//! One pixel in the middle of each cell of a grid.
-PERF_TEST_P(Perf_GWatershed_pipeline, markers, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, markers, algorithmsAndSizes())
 {
     const Size size = get<1>(GetParam());
     Pictures pictures(size);
-    Mat markers = Mat::zeros(size, CV_32SC1);
-    int count = 0;
-    for (int y = PERF_REGION_SIZE / 2; y < size.height; y += PERF_REGION_SIZE)
-        for (int x = PERF_REGION_SIZE / 2; x < size.width; x += PERF_REGION_SIZE)
-            markers.at<int>(y, x) = ++count;
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
-    gws->setMarkers(markers);
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
+    gws->setMarkers(makeGridMarkers(size, REGION_SIZE));
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); });
 }
 
-PERF_TEST_P(Perf_GWatershed_pipeline, statistics, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, statistics, algorithmsAndSizes())
 {
     Pictures pictures(get<1>(GetParam()));
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
     Mat stats, centroids, colors, depths;
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); }, [&]()
     {
@@ -73,29 +71,29 @@ PERF_TEST_P(Perf_GWatershed_pipeline, statistics, PIPELINE_PARAMS)
     });
 }
 
-PERF_TEST_P(Perf_GWatershed_pipeline, adjacency, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, adjacency, algorithmsAndSizes())
 {
     Pictures pictures(get<1>(GetParam()));
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
-    Mat pairs, lengths, heights;
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
+    Mat pairs, lengths, contrasts;
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); }, [&]()
     {
-        gws->getAdjacency(pictures.image(), noArray(), pairs, lengths, heights);
+        gws->getAdjacency(pictures.image(), noArray(), pairs, lengths, contrasts);
     });
 }
 
 //! The first call, which finds the order of merging.
-PERF_TEST_P(Perf_GWatershed_pipeline, merging, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, merging, algorithmsAndSizes())
 {
     Pictures pictures(get<1>(GetParam()));
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
     timeOver(pictures, [&]() { gws->iterate(pictures.image()); }, [&]() { gws->mergeSimilar(200); });
 }
 
-PERF_TEST_P(Perf_GWatershed_pipeline, merging_again, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, merging_again, algorithmsAndSizes())
 {
     Pictures pictures(get<1>(GetParam()));
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
     timeOver(pictures, [&]()
     {
         gws->iterate(pictures.image());
@@ -104,11 +102,11 @@ PERF_TEST_P(Perf_GWatershed_pipeline, merging_again, PIPELINE_PARAMS)
 }
 
 //! A frame that follows another one, from which the camera has moved by two pixels.
-PERF_TEST_P(Perf_GWatershed_pipeline, temporal, PIPELINE_PARAMS)
+PERF_TEST_P(Perf_GWatershed, temporal, algorithmsAndSizes())
 {
     const Size size = get<1>(GetParam());
     Pictures pictures(Size(size.width + 2, size.height + 2));
-    Ptr<SuperpixelGWatershed> gws = createForPerf(GetParam());
+    Ptr<SuperpixelGWatershed> gws = create(GetParam());
     gws->setTemporal(true);
     timeOver(pictures, [&]()
     {

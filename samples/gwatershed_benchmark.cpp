@@ -28,11 +28,11 @@ static const char* const KEYS =
     "{i images     |     | folder of the images: <id>.jpg, <id>.png or <id>_color.png }"
     "{g truth      |     | folder of the ground truth, 8- or 16-bit label maps of the size of the image:"
     " <id>-0.png, <id>-1.png, ... for several annotators, or <id>_labels.png }"
-    "{d depth      |     | folder of depth maps <id>_depth.png (0: missing); the methods that take depth run with and without }"
+    "{d depth      |     | folder of depth maps <id>_depth.png (0: missing); methods that take depth run without, too }"
     "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
     "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
     "{m methods    |     | names of the methods to run, or their beginnings, separated by commas; empty: all }"
-    "{l limit      | 0   | number of images; 0: all }"
+    "{l limit      | 0   | number of images to use, the first ones by name; 0: all }"
     "{t threads    | 1   | number of threads }"
     "{o output     | benchmark.csv | file to write }";
 
@@ -200,7 +200,8 @@ static std::vector<Method> allMethods()
     methods.push_back(mergedGWatershed("merged from 1600 GWATERSHED", GWATERSHED, 1600));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
-    methods.push_back(peer("SLICO", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLICO); }));
+    methods.push_back(
+            peer("SLICO", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLICO); }));
     methods.push_back(peer("SEEDS", segmentBySEEDS));
     methods.push_back(peer("LSC", segmentByLSC));
     methods.push_back(peer("ScanSegment", segmentByScanSegment));
@@ -274,7 +275,7 @@ static std::vector<Example> readExamples(const String& image_dir, const String& 
 }
 
 //! Numbers of superpixels that all methods can make of all images: of three pixels in width or more, and of half of
-//! the shorter side of an image or less. Some of the methods end the program where there is another one.
+//! the shorter side of an image or less. Some of the methods crash for other numbers.
 static std::vector<int> readNumbers(const std::vector<String>& texts, const std::vector<Example>& examples)
 {
     double fewest = 1, most = INT_MAX;

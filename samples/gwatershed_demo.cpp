@@ -23,7 +23,7 @@ static const char* const KEYS =
     "{o output       |     | segment -i without a window and write <o>_contours.png, <o>_mean.png, <o>_labels.png }"
     "{c camera       | 0   | camera id, or a video file }"
     "{s region_size  | 20  | side of a superpixel in pixels }"
-    "{k superpixels  | 0   | number of superpixels; 0: region_size rules }"
+    "{k superpixels  | 0   | number of superpixels, instead of region_size if not 0 }"
     "{r ruler        | 10  | compactness }"
     "{a alpha        | 0.5 | weight of colour against depth }"
     "{n iterations   | 1   | number of iterations }";

@@ -216,7 +216,7 @@ static Mat_<float> assignToPixels(const Elements& elements, const std::vector<fl
                 for (size_t k = 0; k < neighbors.size(); k++)
                     exponents.push_back(ALPHA * squaredColorDistance(elements.colors[neighbors[k]], lab(y, x)) +
                                         beta * squaredDistance(elements.positions[neighbors[k]], position));
-                // The largest weight is 1, lest all of them become 0.
+                // The largest weight is 1, so that not all of them become 0.
                 const float least = *std::min_element(exponents.begin(), exponents.end());
                 float sum = 0, sum_of_weights = 0;
                 for (size_t k = 0; k < neighbors.size(); k++)

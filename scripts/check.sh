@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the module, with the program tools/fuzz/stress.cpp, under sanitizers and checkers; a line for each.
+# Reads the sources for rules that they must keep (rooms.py), and builds the module, with the program
+# tools/fuzz/stress.cpp, under sanitizers and checkers; a line for each.
 # The logs stay in the cache. The last line is "N passed, N failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -37,13 +38,14 @@ tidy() { # FOLDER OF A BUILD
         xargs -0 -n 1 -P "$(nproc)" clang-tidy-14 -p "$place/$1" --quiet "--header-filter=^$root/(src|include)/"
 }
 
-need_packages cmake make g++ clang-14 clang-tidy-14 libclang-rt-14-dev valgrind libopencv-dev
+need_packages cmake make g++ python3 clang-14 clang-tidy-14 libclang-rt-14-dev valgrind libopencv-dev
 rm -rf "$place"
 mkdir -p "$logs"
 # Without this option the search for leaks of clang 14 breaks down where threads have ended.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 
 say "building and running under sanitizers and checkers; it takes some minutes"
+check "rooms" "$root/scripts/rooms.py"
 check "addresses and undefined behaviour" \
     sanitize addresses "-fsanitize=address,undefined -fno-sanitize-recover=all" 200
 check "threads" sanitize threads -fsanitize=thread 100

@@ -66,10 +66,31 @@ for name in IPP ITT FFMPEG GSTREAMER OPENCL ADE QUIRC OPENEXR WEBP TIFF JASPER O
     lean+=("-DWITH_$name=OFF")
 done
 
-# Builds the module alone, against Debian's OpenCV, in the folder $alone.
+# Builds the module alone, against Debian's OpenCV, in a folder; $alone is the one that the scripts share.
 alone="$cache/module alone" # paths with a space must do
-build_alone() {
-    rm -f "$alone/CMakeCache.txt" # of a clone elsewhere
-    cmake -S "$root" -B "$alone" -DCMAKE_BUILD_TYPE=Release >/dev/null
-    cmake --build "$alone" --parallel "$(nproc)" >/dev/null
+build_alone() { # [FOLDER] [OPTIONS OF CMAKE...]
+    local folder=${1:-$alone}
+    grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" ||
+        rm -f "$folder/CMakeCache.txt" # of a clone elsewhere
+    cmake -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Release "${@:2}" >/dev/null &&
+        cmake --build "$folder" --parallel "$(nproc)" >/dev/null
+}
+
+# Runs a program of GoogleTest and counts what its report says; no report is a failure. Its files go to $results.
+run_gtest() { # NAME PROGRAM ARGUMENTS...
+    local name=$1 xml=$results/$1.xml tests failures
+    shift
+    say "$name"
+    "$@" "--gtest_output=xml:$xml" >"$results/$name.log" 2>&1 || true
+    if [ ! -s "$xml" ]; then
+        tail -n 40 "$results/$name.log"
+        echo "  $name ended without a report"
+        count 0 1
+        return
+    fi
+    tests=$(sed -n 's/.*<testsuites tests="\([0-9]*\)".*/\1/p' "$xml")
+    failures=$(sed -n 's/.*<testsuites tests="[0-9]*" failures="\([0-9]*\)".*/\1/p' "$xml")
+    grep -E -B 20 '^\[  FAILED  \]' "$results/$name.log" || true
+    echo "  $tests tests, $failures failed; log: $results/$name.log"
+    count $((tests - failures)) "$failures"
 }

@@ -12,10 +12,14 @@ log=$place/java.log
 need_packages cmake ninja-build g++ libjpeg-dev libpng-dev zlib1g-dev default-jdk ant ant-optional
 export JAVA_HOME=${JAVA_HOME:-/usr/lib/jvm/default-java}
 
-# OpenCV builds the tests of its Java binding only where calib3d is built.
+# OpenCV 4 builds the tests of its Java binding only where calib3d is built; OpenCV 5 has 3d and calib in its place.
+modules=gwatershed,java,imgcodecs
+for module in calib3d 3d calib; do
+    [ ! -d "$place/source/modules/$module" ] || modules+=,$module
+done
 say "building OpenCV for Java in $build (the first time takes seven minutes of a core)"
 cmake -G Ninja -S "$place/source" -B "$build" -DCMAKE_BUILD_TYPE=Release "-DOPENCV_EXTRA_MODULES_PATH=$root" \
-    -DBUILD_LIST=gwatershed,java,imgcodecs,calib3d -DBUILD_PERF_TESTS=OFF -DCPU_DISPATCH= \
+    "-DBUILD_LIST=$modules" -DBUILD_PERF_TESTS=OFF -DCPU_DISPATCH= \
     -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_C_FLAGS_RELEASE=-O0 "${lean[@]}" >"$log" 2>&1 ||
     { tail -n 40 "$log"; fail "cmake failed"; }
 ninja -C "$build" opencv_test_java >"$log" 2>&1 || { tail -n 60 "$log"; fail "the build failed; see $log"; }

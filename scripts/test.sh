@@ -3,7 +3,9 @@
 #   scripts/test.sh                     with the OpenCV of Debian 12, 4.6.0
 #   OPENCV_VERSION=4.10.0 scripts/test.sh      with that of Debian 13
 #   OPENCV_SOURCE=DIR scripts/test.sh          with a source tree of your own; contrib in DIR/contrib
-# The source and the build stay in the cache; only the first build takes long.
+#   scripts/test.sh --alone [ARGUMENTS]        only the tests in C++, with the OpenCV that is installed: a minute
+# The source and the build stay in the cache; only the first build takes long. ARGUMENTS are those of GoogleTest, as
+# --gtest_filter='*mask*'.
 # The last line is "N passed, N failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -68,25 +70,6 @@ configure() {
         -DBUILD_JAVA=OFF "${lean[@]}"
 }
 
-# Runs a program of GoogleTest and counts what its report says; no report is a failure.
-run_gtest() { # NAME PROGRAM ARGUMENTS...
-    local name=$1 xml=$results/$1.xml tests failures
-    shift
-    say "$name"
-    "$@" "--gtest_output=xml:$xml" >"$results/$name.log" 2>&1 || true
-    if [ ! -s "$xml" ]; then
-        tail -n 40 "$results/$name.log"
-        echo "  $name ended without a report"
-        count 0 1
-        return
-    fi
-    tests=$(sed -n 's/.*<testsuites tests="\([0-9]*\)".*/\1/p' "$xml")
-    failures=$(sed -n 's/.*<testsuites tests="[0-9]*" failures="\([0-9]*\)".*/\1/p' "$xml")
-    grep -E -B 20 '^\[  FAILED  \]' "$results/$name.log" || true
-    echo "  $tests tests, $failures failed; log: $results/$name.log"
-    count $((tests - failures)) "$failures"
-}
-
 run_python_test() {
     local log=$results/python.log tests failures
     say "Python"
@@ -101,6 +84,10 @@ run_python_test() {
     fi
     echo "  $tests tests, $failures failed"
     count $((tests - failures)) "$failures"
+}
+
+prints() { # WORDS COMMAND...
+    "${@:2}" | grep "$1"
 }
 
 # The pictures that a sample wrote exist and load; the labels are 0..N-1 for the N that it printed.
@@ -142,6 +129,8 @@ run_samples() {
         "${python_demo[@]}" "$data/aloeL.jpg" -d "$data/aloeGT.png" -o "$results/aloe_py"
     check "saliency_filters" finds_saliency "$data"
     check "gwatershed_polygons" finds_polygons "$data/fruits.jpg"
+    check "gwatershed_steps" sh -c '"$1" -i="$2" -o="$3" | grep -q "^300 superpixels" && [ -s "$3" ]' \
+        sh "$build/bin/example_gwatershed_gwatershed_steps" "$data/fruits.jpg" "$results/steps.png"
     # Labels of the demo serve as a ground truth.
     mkdir -p "$results/truth"
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
@@ -232,6 +221,24 @@ user_project() { # FOLDER
     cmake --build "$1/build" && (cd "$1" && build/superpixels)
 }
 
+# The tests without a build of OpenCV.
+test_alone() { # ARGUMENTS OF GOOGLETEST...
+    local folder="$cache/tests alone"
+    results=$folder/results
+    rm -rf "$results"
+    mkdir -p "$results"
+    need_packages cmake g++ make libopencv-dev libgtest-dev
+    say "building the module and its tests alone"
+    build_alone "$folder" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF
+    run_gtest accuracy "$folder/opencv_test_gwatershed" "$@"
+    finish
+}
+
+if [ "${1:-}" = --alone ]; then
+    test_alone "${@:2}"
+    exit
+fi
+
 need_packages cmake ninja-build g++ patch xz-utils libjpeg-dev libpng-dev zlib1g-dev python3-dev python3-numpy \
     python3-matplotlib make libopencv-dev
 [ -d "$source_dir" ] || fetch_source
@@ -249,7 +256,9 @@ check "no warning from our files" sh -c '! grep -E "^$1/.*warning:" "$2"' sh "$r
 export OPENCV_SAMPLES_DATA_PATH=$source_dir/samples/data
 run_gtest accuracy "$build/bin/opencv_test_gwatershed"
 run_gtest performance "$build/bin/opencv_perf_gwatershed" --perf_min_samples=1 --perf_force_samples=1 \
-    '--gtest_filter=*/0:*region_step*'
+    '--gtest_filter=*/0'
+check "perf.sh" prints "RGWATERSHED, ms" "$root/scripts/perf.sh" "$results"/performance.xml{,}
+check "profile.sh" prints "The steps" "$root/scripts/profile.sh"
 run_python_test
 run_samples
 run_installed

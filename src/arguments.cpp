@@ -17,7 +17,7 @@ void checkSize(int64 width, int64 height)
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
 }
 
-//! The header of a matrix.
+//! The matrix of an input; the data is not copied.
 static Mat takeMatrix(InputArray input, const char* name)
 {
     const int kind = input.kind();

@@ -9,27 +9,27 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! @file Checks of inputs and outputs. Those of inputs return the header of a matrix that is as it must be, or throw.
+//! @file Checks of inputs and outputs. A check of an input returns its matrix (the data is not copied), or throws.
 
 void checkIterations(int num_iterations);
 void checkSize(int64 width, int64 height);
 
 //! An image that can be segmented.
 Mat checkImage(InputArray input);
-//! The depth of an image of a size.
+//! The depth of an image of that size.
 Mat checkDepth(InputArray input, Size size);
-//! An image to measure, of any depth and number of channels; may be empty.
+//! An image to measure, of any type; may be empty.
 Mat checkValues(InputArray input, Size size);
 //! CV_8UC1; may be empty.
 Mat checkMask(InputArray input);
 //! CV_32SC1; may be empty.
 Mat checkMarkers(InputArray input);
 
-//! Throws where an output, which has a name, cannot become a matrix of a type; a vector can only where `is_line` tells
-//! that the matrix has one row or column.
+//! Throws if an output cannot become a matrix of a type. A vector can only if the matrix has one row or one column,
+//! which is_line tells. The message has the name of the output.
 void checkOutput(const _OutputArray& output, int type, bool is_line, const char* name);
 
-//! Allocates an output that was checked; the matrix has the size, also where the output is a vector.
+//! Allocates an output that was checked. The matrix returned has the size, even if the output is a vector.
 Mat createOutput(const _OutputArray& output, Size size, int type);
 
 }}} // namespace

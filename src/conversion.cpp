@@ -20,7 +20,7 @@ Mat convertImage(const Mat& image, Mat& buffer)
     buffer.create(image.size(), CV_8UC(image.channels()));
     parallel_for_(Range(0, image.rows), [&](const Range& range)
     {
-        Mat row; // without NaN and large values, which cannot be rounded to integers
+        Mat row; // NaN and large values are replaced, because they cannot be rounded to integers
         for (int y = range.start; y < range.end; y++)
         {
             image.row(y).copyTo(row);
@@ -54,7 +54,7 @@ template <typename T> static DepthRange findExtrema(const Mat& depth)
     return range.last > 0 ? range : DepthRange();
 }
 
-//! The 1st and 99th percentile over a regular sample, so that a few outliers do not matter.
+//! The 1st and the 99th percentile of a regular sample. So a few outliers do not matter.
 //! @note The paper says only that D is scaled.
 template <typename T> static DepthRange findRange(const Mat& depth)
 {
@@ -111,8 +111,8 @@ static bool scaleToBytes(const Mat& depth, float near_depth, float far_depth, Ma
     return range.first < range.last;
 }
 
-//! @note Depth that is the same everywhere is dropped: halving all heights by equation (3) would
-//! make some of them equal, and the flood another one, although depth says nothing.
+//! @note Depth that is the same everywhere is dropped. Equation (3) would halve all distances, so some of them would
+//! become equal and the flood would change, although depth adds no information.
 Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer)
 {
     CV_TRACE_FUNCTION();

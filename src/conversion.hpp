@@ -9,11 +9,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The image in 8 bits: itself if it has 8, else converted into the buffer.
+//! The image in 8 bits: the image itself if it has 8 bits, else converted into the buffer.
 Mat convertImage(const Mat& image, Mat& buffer);
 
-//! Depth as CV_8UC1 in the buffer, 1..255, 0 where missing; empty if depth is empty or tells
-//! nothing apart. Both limits 0: the range is taken from the frame.
+//! Depth as CV_8UC1 in the buffer: 1..255, 0 where it is missing. Empty if depth is empty or the same everywhere. If
+//! both limits are 0, the range is taken from the frame.
 Mat scaleDepth(const Mat& depth, float near_depth, float far_depth, Mat& buffer);
 
 }}} // namespace

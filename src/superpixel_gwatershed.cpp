@@ -7,11 +7,11 @@
 #include "gwatershed/gwatershed.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
-#include "results/merge_hierarchy.hpp"
 #include "results/merge_small.hpp"
 #include "results/statistics.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "segmentation.hpp"
 #include "shared/user_markers.hpp"
 
 #include <new>
@@ -45,7 +45,7 @@ public:
             gwatershed_.reserve(size);
         else
             rgwatershed_.reserve(size);
-        labels_.create(size, CV_32SC1);
+        result_.labels.create(size, CV_32SC1);
     }
 
     //! Keeps the image, and the depth if there is any, for iterate().
@@ -55,7 +55,7 @@ public:
         depth.copyTo(depth_);
     }
 
-    int getNumberOfSuperpixels() const CV_OVERRIDE { return num_labels_; }
+    int getNumberOfSuperpixels() const CV_OVERRIDE { return result_.number; }
 
     void iterate(int num_iterations) CV_OVERRIDE
     {
@@ -82,32 +82,32 @@ public:
     void getLabels(OutputArray labels_out) const CV_OVERRIDE
     {
         checkSegmented();
-        gws::checkOutput(labels_out, CV_32SC1, isLine(), "labels_out");
-        guardMemory([&]() { give(labels_, labels_out); });
+        gws::checkOutput(labels_out, CV_32SC1, result_.isLine(), "labels_out");
+        guardMemory([&]() { give(result_.labels, labels_out); });
     }
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
         checkSegmented();
-        gws::checkOutput(image, CV_8UC1, isLine(), "image");
+        gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
         {
-            Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
-            gws::drawContours(labels_, thick_line, mask);
+            Mat mask = gws::createOutput(image, result_.labels.size(), CV_8UC1);
+            gws::drawContours(result_.labels, thick_line, mask);
         });
     }
 
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
         checkSegmented();
-        gws::checkOutput(image, CV_8UC1, isLine(), "image");
+        gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
         {
-            Mat mask = gws::createOutput(image, labels_.size(), CV_8UC1);
+            Mat mask = gws::createOutput(image, result_.labels.size(), CV_8UC1);
             mask.setTo(Scalar(0));
-            if (num_labels_ > 0 && used_.algorithm == GWATERSHED)
+            if (result_.number > 0 && result_.parameters.algorithm == GWATERSHED)
             {
-                Mat part = mask(bounds_);
+                Mat part = mask(result_.bounds);
                 gwatershed_.drawLines(part);
             }
         });
@@ -118,31 +118,31 @@ public:
         checkSegmented();
         CV_Check(min_element_size, min_element_size >= 0 && min_element_size <= 100,
                  "min_element_size must be in [0, 100] percent");
-        if (num_labels_ == 0)
+        if (result_.number == 0)
             return;
-        const int before = num_labels_;
+        const int before = result_.number;
         guardMemory([&]()
         {
-            const int64 whole = int64(100) * num_labels_;
-            const int64 min_area = (int64(countNonZero(labels_ >= 0)) * min_element_size + whole - 1) / whole;
-            num_labels_ = gws::mergeSmallRegions(num_labels_, int(min_area), labels_);
+            const int64 whole = int64(100) * result_.number;
+            const int64 min_area = (int64(countNonZero(result_.labels >= 0)) * min_element_size + whole - 1) / whole;
+            result_.number = gws::mergeSmallRegions(result_.number, int(min_area), result_.labels);
         });
-        if (num_labels_ < before)
-            hierarchy_ = gws::MergeHierarchy();
+        if (result_.number < before)
+            result_.hierarchy = gws::MergeHierarchy();
     }
 
     void mergeSimilar(int num_superpixels) CV_OVERRIDE
     {
         checkSegmented();
         CV_CheckGE(num_superpixels, 1, "num_superpixels must be 1 or more");
-        if (num_labels_ == 0)
+        if (result_.number == 0)
             return;
         guardMemory([&]()
         {
-            Mat part = labels_(bounds_);
-            if (hierarchy_.empty())
+            Mat part = result_.labels(result_.bounds);
+            if (result_.hierarchy.empty())
                 buildHierarchy(part);
-            num_labels_ = hierarchy_.cut(num_superpixels, part);
+            result_.number = result_.hierarchy.cut(num_superpixels, part);
         });
     }
 
@@ -150,8 +150,8 @@ public:
                        OutputArray mean_colors, OutputArray mean_depths) const CV_OVERRIDE
     {
         checkSegmented();
-        const Mat values = gws::checkValues(image, labels_.size());
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        const Mat values = gws::checkValues(image, result_.labels.size());
+        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
         checkTable(stats, CV_32SC1, false, "stats");
         checkTable(centroids, CV_64FC1, false, "centroids");
         checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
@@ -159,7 +159,8 @@ public:
         guardMemory([&]()
         {
             Mat tables[4];
-            gws::measureSuperpixels(labels_, num_labels_, values, depths, tables[0], tables[1], tables[2], tables[3]);
+            gws::measureSuperpixels(result_.labels, result_.number, values, depths, tables[0], tables[1], tables[2],
+                                    tables[3]);
             give(tables[0], stats);
             give(tables[1], centroids);
             give(tables[2], mean_colors);
@@ -171,21 +172,22 @@ public:
                       OutputArray contrasts) const CV_OVERRIDE
     {
         checkSegmented();
-        const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, labels_.size()));
+        const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
         if (image.empty() && !depth.empty())
             CV_Error(Error::StsBadArg, "depth must be empty where image is");
-        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, labels_.size());
+        const Mat depths = depth.empty() ? Mat() : gws::checkDepth(depth, result_.labels.size());
         checkTable(pairs, CV_32SC1, false, "pairs");
         checkTable(lengths, CV_32SC1, true, "lengths");
         checkTable(contrasts, CV_32FC1, true, "contrasts");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
-            const Mat color = values.empty() ? Mat() : gws::convertImage(values(bounds_), converted);
-            const Mat depth_inside = depths.empty() ? Mat() : depths(bounds_);
-            const Mat mask_inside = used_mask_.empty() ? Mat() : used_mask_(bounds_);
-            gws::listAdjacency(labels_(bounds_), num_labels_, color, scaleInside(depth_inside, mask_inside, scaled),
-                               used_.alphaWeight(), tables[0], tables[1], tables[2]);
+            const Mat color = values.empty() ? Mat() : gws::convertImage(values(result_.bounds), converted);
+            const Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
+            const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
+            gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
+                               scaleInside(depth_inside, mask_inside, scaled), result_.parameters.alphaWeight(),
+                               tables[0], tables[1], tables[2]);
             give(tables[0], pairs);
             give(tables[1], lengths);
             give(tables[2], contrasts);
@@ -194,7 +196,13 @@ public:
 
     void setMask(InputArray mask) CV_OVERRIDE
     {
-        guardMemory([&]() { keepMask(gws::checkMask(mask)); });
+        guardMemory([&]()
+        {
+            const gws::Mask checked(gws::checkMask(mask));
+            if (!(checked == mask_)) // nothing fails from here on, so that all of the mask is set, or none of it
+                last_ = Last();
+            mask_ = checked;
+        });
     }
     void setMarkers(InputArray markers) CV_OVERRIDE
     {
@@ -228,7 +236,7 @@ public:
     }
     void read(const FileNode& fn) CV_OVERRIDE { parameters_ = gws::Parameters::read(fn); }
     void clear() CV_OVERRIDE { *this = SuperpixelGWatershedImpl(parameters_); }
-    bool empty() const CV_OVERRIDE { return !segmented_; }
+    bool empty() const CV_OVERRIDE { return result_.empty(); }
     String getDefaultName() const CV_OVERRIDE { return "SuperpixelGWatershed"; }
 
 private:
@@ -236,20 +244,6 @@ private:
     {
         if (empty())
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
-    }
-
-    //! Keeps all of a mask, or nothing where memory runs out.
-    void keepMask(const Mat& mask)
-    {
-        const Mat inside = mask.empty() ? Mat() : Mat(mask != 0);
-        const bool changes = mask_.size() != inside.size() || (!inside.empty() && countNonZero(mask_ != inside) > 0);
-        const Rect bounds = inside.empty() ? Rect() : gws::findBounds(inside);
-        const int area = inside.empty() ? 0 : countNonZero(inside);
-        if (changes) // nothing fails from here on, so that all of the mask is set, or none of it
-            last_ = Last();
-        mask_ = inside;
-        mask_bounds_ = bounds;
-        mask_area_ = area;
     }
 
     //! What the next frame must have in common with the last one to go on from it in temporal mode.
@@ -264,9 +258,6 @@ private:
             return algorithm == other.algorithm && size == other.size && num_superpixels == other.num_superpixels;
         }
     };
-
-    //! Whether vectors can hold the label map.
-    bool isLine() const { return labels_.rows == 1 || labels_.cols == 1; }
 
     //! Checks an output that may be left out.
     static void checkTable(OutputArray output, int type, bool is_line, const char* name)
@@ -287,105 +278,99 @@ private:
     //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
     Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
     {
+        const float near_depth = result_.parameters.near_depth, far_depth = result_.parameters.far_depth;
         if (depth.empty() || mask.empty())
-            return gws::scaleDepth(depth, used_.near_depth, used_.far_depth, buffer);
+            return gws::scaleDepth(depth, near_depth, far_depth, buffer);
         Mat inside(depth.size(), depth.type(), Scalar(0));
         depth.copyTo(inside, mask);
-        return gws::scaleDepth(inside, used_.near_depth, used_.far_depth, buffer);
+        return gws::scaleDepth(inside, near_depth, far_depth, buffer);
     }
 
     void checkMaps(Size size) const
     {
         if (!mask_.empty())
-            CV_CheckEQ(mask_.size(), size, "mask must have the size of image; setMask() of an empty one drops it");
+            CV_CheckEQ(mask_.pixels.size(), size, "mask must have the size of image; setMask() of an empty one drops"
+                                                  " it");
         if (!markers_.empty())
             CV_CheckEQ(markers_.size(), size, "markers must have the size of image; setMarkers() of empty ones"
                                               " drops them");
     }
 
-    //! If something fails on the way, there is no segmentation, and the next call starts anew.
+    //! Checks, makes the frame, runs the algorithm and keeps what the next frame goes on from. If something fails on
+    //! the way, there is no segmentation, and the next call goes on from nothing.
     void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
+        CV_TRACE_FUNCTION();
         checkMaps(image.size());
-        segmented_ = false;
-        num_labels_ = 0;
-        hierarchy_ = gws::MergeHierarchy();
+        result_.complete = false;
         const Last last = last_;
         last_ = Last();
-        used_ = parameters_;
-        used_mask_ = mask_;
-        guardMemory([&]() { segmentInside(image, depth, num_iterations, last); });
-        segmented_ = true;
-    }
-
-    //! Segments the bounding box of the mask.
-    void segmentInside(const Mat& image, const Mat& depth, int num_iterations, const Last& last)
-    {
-        bounds_ = mask_.empty() ? Rect(Point(), image.size()) : mask_bounds_;
-        labels_.create(image.size(), CV_32SC1);
-        if (bounds_.size() != image.size())
-            labels_.setTo(Scalar(-1));
-        if (bounds_.empty())
-            return;
-        Mat part = labels_(bounds_);
-        gws::Frame frame = makeFrame(image(bounds_), depth.empty() ? Mat() : depth(bounds_));
-        if (frame.num_superpixels == 0)
+        guardMemory([&]()
         {
-            part.setTo(Scalar(-1));
-            return;
-        }
-        Last now;
-        now.algorithm = used_.algorithm;
-        now.size = image.size();
-        now.num_superpixels = frame.num_superpixels;
-        const bool temporal = used_.temporal && markers_.empty();
-        frame.continues = temporal && now == last;
-        num_labels_ = used_.algorithm == GWATERSHED ? gwatershed_.run(frame, used_, part)
-                                                    : rgwatershed_.run(frame, used_, num_iterations, part);
-        if (!frame.mask.empty())
-            max(part, Scalar(-1), part);
-        if (temporal)
-            last_ = now;
+            result_.start(image.size(), parameters_, mask_);
+            if (!result_.bounds.empty())
+                run(makeFrame(image(result_.bounds), depth.empty() ? Mat() : depth(result_.bounds)), last,
+                    num_iterations);
+        });
+        result_.complete = true;
     }
 
-    //! What is segmented inside of the bounds. A mask that is full there is none.
+    //! Frame of what is inside of the bounds. A mask without a pixel outside is left out.
     gws::Frame makeFrame(const Mat& image, const Mat& depth)
     {
+        const Rect bounds = result_.bounds;
         gws::Frame frame;
-        frame.num_pixels = mask_.empty() ? bounds_.area() : mask_area_;
-        if (frame.num_pixels < bounds_.area())
-            frame.mask = mask_(bounds_);
+        frame.num_pixels = mask_.empty() ? bounds.area() : mask_.area;
+        if (frame.num_pixels < bounds.area())
+            frame.mask = mask_.pixels(bounds);
         frame.color = gws::convertImage(image, converted_);
         frame.depth = scaleInside(depth, frame.mask, scaled_);
-        frame.num_superpixels = used_.countSuperpixels(frame.num_pixels);
+        frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
         if (!markers_.empty())
         {
-            frame.num_superpixels = gws::numberMarkers(markers_(bounds_), frame.mask, numbered_);
+            frame.num_superpixels = gws::numberMarkers(markers_(bounds), frame.mask, numbered_);
             frame.markers = numbered_;
         }
         return frame;
     }
 
+    void run(gws::Frame frame, const Last& last, int num_iterations)
+    {
+        Mat labels = result_.labels(result_.bounds);
+        if (frame.num_superpixels == 0)
+        {
+            labels.setTo(Scalar(-1));
+            return;
+        }
+        Last now;
+        now.algorithm = parameters_.algorithm;
+        now.size = result_.labels.size();
+        now.num_superpixels = frame.num_superpixels;
+        const bool temporal = parameters_.temporal && markers_.empty();
+        frame.continues = temporal && now == last;
+        result_.number = parameters_.algorithm == GWATERSHED
+                ? gwatershed_.run(frame, parameters_, labels)
+                : rgwatershed_.run(frame, parameters_, num_iterations, labels);
+        if (!frame.mask.empty())
+            max(labels, Scalar(-1), labels);
+        if (temporal)
+            last_ = now;
+    }
+
     void buildHierarchy(const Mat& labels)
     {
-        const gws::Padded<gws::Feature> features = used_.algorithm == GWATERSHED
-                ? gwatershed_.features(used_.lab_input) : rgwatershed_.features();
-        hierarchy_.build(features, gws::floodDistance(used_.alpha, true), labels, num_labels_);
+        const gws::Parameters& used = result_.parameters;
+        const gws::Padded<gws::Feature> features = used.algorithm == GWATERSHED
+                ? gwatershed_.features(used.lab_input) : rgwatershed_.features();
+        result_.hierarchy.build(features, gws::floodDistance(used.alpha, true), labels, result_.number);
     }
 
     gws::Parameters parameters_;
-    Mat image_, depth_;    // copies of what the factory was given
-    Mat mask_, markers_;   // copies of what was set; the mask as 0 and 255
-    Rect mask_bounds_;
-    int mask_area_ = 0;
+    Mat image_, depth_; // copies of what the factory was given
+    gws::Mask mask_;    // copies of what was set
+    Mat markers_;
 
-    bool segmented_ = false;
-    int num_labels_ = 0;
-    Mat labels_;
-    Rect bounds_;          // of the mask; outside of it all labels are -1
-    gws::Parameters used_;  // parameters and mask of the segmentation
-    Mat used_mask_;
-    gws::MergeHierarchy hierarchy_;
+    gws::Segmentation result_;
     Last last_;
 
     // The algorithms, and buffers that stay from one image to the next.

@@ -12,6 +12,22 @@ static Scalar randomColor(RNG& rng)
     return Scalar(rng.uniform(0, 256), rng.uniform(0, 256), rng.uniform(0, 256));
 }
 
+testing::AssertionResult isRefused(const std::function<void()>& call, const String& word)
+{
+    try
+    {
+        call();
+    }
+    catch (const cv::Exception& e)
+    {
+        const String message = e.what();
+        if (message.find(word) != String::npos)
+            return testing::AssertionSuccess();
+        return testing::AssertionFailure() << "the message has no \"" << word << "\": " << message;
+    }
+    return testing::AssertionFailure() << "nothing was thrown";
+}
+
 Mat makeScene(Size size, RNG& rng)
 {
     Mat image = makeImage(RAMP, size, 3, rng);

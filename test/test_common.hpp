@@ -7,29 +7,21 @@
 
 #include "test_precomp.hpp"
 
+#include <functional>
+
 namespace opencv_test
 {
 
 //! The algorithms that every property is asked of.
-#define GWATERSHED_ALGORITHMS testing::Values(int(GWATERSHED), int(RGWATERSHED))
+const int ALGORITHMS[] = { GWATERSHED, RGWATERSHED };
 
-//! Expects an exception whose message has a word.
-#define EXPECT_REFUSED(statement, word) \
-    do { \
-        bool refused = false; \
-        try { statement; } \
-        catch (const cv::Exception& e) \
-        { \
-            refused = true; \
-            EXPECT_NE(std::string::npos, String(e.what()).find(word)) << e.what(); \
-        } \
-        EXPECT_TRUE(refused) << #statement; \
-    } while (0)
+//! Whether a call throws a cv::Exception whose message has a word.
+testing::AssertionResult isRefused(const std::function<void()>& call, const String& word);
 
 enum ImageKind { FLAT, NOISE, RAMP, STRIPES, CHECKERBOARD, SCENE, IMAGE_KINDS };
 
-//! Discs and boxes of many colours on a ramp, a little blurred and noisy: looks like a photograph
-//! to a superpixel method. CV_8UC3.
+//! Discs and boxes of many colours on a ramp, with a little blur and noise, so that superpixels behave as on a
+//! photograph. CV_8UC3.
 Mat makeScene(Size size, RNG& rng);
 //! An image of a kind with 1 or 3 channels, 8-bit.
 Mat makeImage(ImageKind kind, Size size, int channels, RNG& rng);
@@ -66,22 +58,50 @@ double explainedVariation(const Mat& labels, const Mat& image);
 //! Mean over the pixels of 4 pi area / perimeter^2 of their superpixel.
 double compactness(const Mat& labels);
 
-//! From here on the sizes that are asked of operator new are looked at.
-void startRecordingNew();
-//! Returns the largest of them.
-size_t stopRecordingNew();
-
 //! The new after `count` others fails, once; a count below 0 lets none fail.
 void failNewAfter(int count);
 //! Whether none is to fail any more.
 bool newHasFailed();
 
-//! Sets the number of threads for a scope.
-struct ThreadsGuard
+// What is set for the program is set for a scope, so that it is as before after a test that fails.
+
+//! Looks at the sizes that are asked of operator new.
+class NewRecorder
 {
-    explicit ThreadsGuard(int n) : before(getNumThreads()) { setNumThreads(n); }
-    ~ThreadsGuard() { setNumThreads(before); }
-    int before;
+public:
+    NewRecorder();
+    ~NewRecorder();
+    size_t largest() const;
+};
+
+class AllocatorGuard
+{
+public:
+    explicit AllocatorGuard(MatAllocator* now) : before_(Mat::getDefaultAllocator()) { Mat::setDefaultAllocator(now); }
+    ~AllocatorGuard() { Mat::setDefaultAllocator(before_); }
+
+private:
+    MatAllocator* const before_;
+};
+
+class ThreadsGuard
+{
+public:
+    explicit ThreadsGuard(int now) : before_(getNumThreads()) { setNumThreads(now); }
+    ~ThreadsGuard() { setNumThreads(before_); }
+
+private:
+    const int before_;
+};
+
+class UseOptimizedGuard
+{
+public:
+    explicit UseOptimizedGuard(bool now) : before_(useOptimized()) { setUseOptimized(now); }
+    ~UseOptimizedGuard() { setUseOptimized(before_); }
+
+private:
+    const bool before_;
 };
 
 } // namespace

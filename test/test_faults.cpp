@@ -5,7 +5,6 @@
 #include "test_common.hpp"
 
 #include <atomic>
-#include <functional>
 
 namespace opencv_test { namespace {
 
@@ -47,9 +46,8 @@ enum MemoryKind { BY_NEW, BY_MAT };
 class Fault
 {
 public:
-    Fault(int kind, int count) : kind_(kind), before_(Mat::getDefaultAllocator())
+    Fault(int kind, int count) : kind_(kind), allocator_(&failingAllocator())
     {
-        Mat::setDefaultAllocator(&failingAllocator());
         if (kind == BY_NEW)
             failNewAfter(count);
         else
@@ -59,13 +57,12 @@ public:
     {
         failNewAfter(-1);
         failingAllocator().left_until_failure = -1;
-        Mat::setDefaultAllocator(before_);
     }
     bool happened() const { return kind_ == BY_NEW ? newHasFailed() : failingAllocator().left_until_failure < 0; }
 
 private:
     const int kind_;
-    MatAllocator* const before_;
+    const AllocatorGuard allocator_;
 };
 
 //! What is segmented, and how.
@@ -290,7 +287,7 @@ TEST_P(ximgproc_GWatershed_faults, factories_throw_or_make_an_object)
     ThreadsGuard one(1);
     const Stream stream(get<0>(GetParam()));
     const Mat expected = segment(stream.images[0], stream.depths[0], stream.algorithm, 10);
-    failEverywhere(get<1>(GetParam()), [&]() { return Ptr<SuperpixelGWatershed>(); },
+    failEverywhere(get<1>(GetParam()), [&]() { return stream.makeObject(nothing); },
         [&](SuperpixelGWatershed&)
         {
             createSuperpixelGWatershed(72, 54, 3, 60, stream.algorithm);
@@ -303,17 +300,16 @@ TEST_P(ximgproc_GWatershed_faults, factories_throw_or_make_an_object)
 }
 
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_faults,
-                        testing::Combine(GWATERSHED_ALGORITHMS, testing::Values(int(BY_NEW), int(BY_MAT))));
+                        testing::Combine(testing::ValuesIn(ALGORITHMS), testing::Values(int(BY_NEW), int(BY_MAT))));
 
 // Which allocation is the one after some others differs from run to run. Matrices only: the pool of threads of OpenCV
 // keeps its lock for ever if a new of its own fails.
 TEST(ximgproc_SuperpixelGWatershed, is_usable_after_a_fault_in_another_thread)
 {
     ThreadsGuard three(3);
-    const int algorithms[] = { GWATERSHED, RGWATERSHED };
     for (int i = 0; i < 2; i++)
     {
-        const Stream stream(algorithms[i]);
+        const Stream stream(ALGORITHMS[i]);
         const Mat expected = stream.labelsOfFresh(nothing);
         failEverywhere(BY_MAT, [&]() { return stream.makeObject(nothing); },
             [&](SuperpixelGWatershed& gws) { stream.iterate(gws); },

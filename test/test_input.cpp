@@ -164,7 +164,10 @@ TEST_P(ximgproc_GWatershed_input, ignores_depth_that_tells_nothing)
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     const float missing[] = { 0.f, -1.f, nan, inf, -inf };
     for (int i = 0; i < 5; i++)
-        EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_32FC1, Scalar(missing[i])), GetParam(), 10)));
+    {
+        const Mat depth(image.size(), CV_32FC1, Scalar(missing[i]));
+        EXPECT_TRUE(equalMats(expected, segment(image, depth, GetParam(), 10)));
+    }
     EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_16UC1, Scalar(0)), GetParam(), 10)));
     EXPECT_TRUE(equalMats(expected, segment(image, Mat(image.size(), CV_8UC1, Scalar(0)), GetParam(), 10)));
 
@@ -229,7 +232,7 @@ TEST_P(ximgproc_GWatershed_input, cuts_equal_depth_along_an_edge_of_colour)
     {
         Mat image(60, 95, CV_8UC3, Scalar(90, 120, 70)), depth(image.size(), CV_16UC1, Scalar(1500));
         image.colRange(line, image.cols).setTo(Scalar(120, 90, 100));
-        depth.rowRange(0, 3).setTo(Scalar(900)); // depth that does tell something elsewhere
+        depth.rowRange(0, 3).setTo(Scalar(900)); // so that depth is not the same everywhere
         EXPECT_EQ(0, labelsAcross(segment(image, depth, GetParam(), 12).rowRange(6, 60), line)) << line;
     }
 }
@@ -255,7 +258,7 @@ TEST_P(ximgproc_GWatershed_input, is_not_ruined_by_outliers_of_depth)
 {
     Mat image(60, 96, CV_8UC3, Scalar(90, 120, 70)), depth(image.size(), CV_16UC1, Scalar(1500));
     depth.colRange(50, depth.cols).setTo(Scalar(1600));
-    depth.at<ushort>(3, 4) = 65535; // one pixel would squeeze the step into nothing
+    depth.at<ushort>(3, 4) = 65535; // if this pixel were the maximum, the step would vanish
     depth.at<ushort>(40, 80) = 1;
     Mat labels = segment(image, depth, GetParam(), 12);
     EXPECT_EQ(0, labelsAcross(labels.rowRange(10, 34), 50));
@@ -302,7 +305,7 @@ TEST_P(ximgproc_GWatershed_input, reused_object_equals_a_fresh_one)
     }
 }
 
-//! Passes on to the standard allocator and keeps the largest allocation in mind.
+//! Uses the standard allocator and remembers the largest allocation.
 class RecordingAllocator CV_FINAL : public MatAllocator
 {
 public:
@@ -331,17 +334,14 @@ TEST_P(ximgproc_GWatershed_input, allocates_nothing_large_for_the_second_image_o
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(640, 480, 3, 768, GetParam());
     gws->iterate(image, depth);
 
-    RecordingAllocator recording;
-    MatAllocator* const before = Mat::getDefaultAllocator();
-    Mat::setDefaultAllocator(&recording);
-    startRecordingNew();
+    RecordingAllocator mats;
+    const AllocatorGuard guard(&mats);
+    const NewRecorder news;
     gws->iterate(image, depth);
-    const size_t largest_new = stopRecordingNew();
-    Mat::setDefaultAllocator(before);
-    EXPECT_LT(recording.largest, image.total() / 2) << "bytes in a Mat; one for each pixel would be " << image.total();
-    EXPECT_LT(largest_new, image.total() / 2) << "bytes by new";
+    EXPECT_LT(mats.largest, image.total() / 2) << "bytes in a Mat; one for each pixel would be " << image.total();
+    EXPECT_LT(news.largest(), image.total() / 2) << "bytes by new";
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

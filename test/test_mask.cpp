@@ -216,23 +216,6 @@ TEST_P(ximgproc_GWatershed_mask, reused_object_equals_a_fresh_one)
     }
 }
 
-TEST_P(ximgproc_GWatershed_mask, refuses_wrong_masks_and_stays_usable)
-{
-    const Mat image = makeScene(Size(60, 40), theRNG());
-    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
-    gws->iterate();
-    const Mat before = labelsOf(gws);
-    EXPECT_REFUSED(gws->setMask(Mat(40, 60, CV_8UC3)), "mask must be CV_8UC1");
-    EXPECT_REFUSED(gws->setMask(Mat(40, 60, CV_32SC1)), "mask must be CV_8UC1");
-    EXPECT_REFUSED(gws->setMask(std::vector<Mat>(2, Mat(40, 60, CV_8UC1))), "mask must be one Mat");
-    gws->setMask(Mat(40, 59, CV_8UC1, Scalar(1)));
-    EXPECT_REFUSED(gws->iterate(), "mask must have the size of image");
-    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
-    gws->setMask(Mat());
-    gws->iterate();
-    EXPECT_TRUE(equalMats(before, labelsOf(gws)));
-}
-
 TEST_P(ximgproc_GWatershed_mask, keeps_a_copy_and_takes_umat_and_submatrices)
 {
     RNG& rng = theRNG();
@@ -305,6 +288,6 @@ TEST_P(ximgproc_GWatershed_mask, is_the_same_for_any_number_of_threads)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_mask, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_mask, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

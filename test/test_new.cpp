@@ -12,13 +12,13 @@
 // and let it fail.
 
 static std::atomic<bool> recording(false);
-static std::atomic<size_t> largest(0);
+static std::atomic<size_t> largest_size(0);
 static std::atomic<int> left_until_failure(-1); // below 0: none fails
 
 void* operator new(size_t size)
 {
-    if (recording && size > largest)
-        largest = size;
+    if (recording && size > largest_size)
+        largest_size = size;
     if (left_until_failure >= 0 && left_until_failure-- == 0)
         throw std::bad_alloc();
     if (void* memory = std::malloc(size ? size : 1))
@@ -31,19 +31,28 @@ void operator delete(void* memory) noexcept
     std::free(memory);
 }
 
+void operator delete(void* memory, size_t) noexcept // what C++14 and later call
+{
+    std::free(memory);
+}
+
 namespace opencv_test
 {
 
-void startRecordingNew()
+NewRecorder::NewRecorder()
 {
-    largest = 0;
+    largest_size = 0;
     recording = true;
 }
 
-size_t stopRecordingNew()
+NewRecorder::~NewRecorder()
 {
     recording = false;
-    return largest;
+}
+
+size_t NewRecorder::largest() const
+{
+    return largest_size;
 }
 
 void failNewAfter(int count)

@@ -42,37 +42,6 @@ TEST_P(ximgproc_GWatershed_output, vectors_take_what_has_one_row_or_column)
     }
 }
 
-TEST_P(ximgproc_GWatershed_output, refuses_what_cannot_hold_a_result_before_anything_is_written)
-{
-    const Size size(40, 30);
-    const Ptr<SuperpixelGWatershed> gws = segmentNoise(size, GetParam());
-    const Mat image(size, CV_8UC3, Scalar(1, 2, 3)), depth(size, CV_16UC1, Scalar(4));
-    Mat_<uchar> bytes;
-    Mat_<float> floats;
-    std::vector<int> labels;
-    std::vector<Mat> mats;
-    EXPECT_REFUSED(gws->getLabels(bytes), "labels_out must be");
-    EXPECT_REFUSED(gws->getLabels(labels), "labels_out must be");
-    EXPECT_REFUSED(gws->getLabels(mats), "labels_out must be");
-    EXPECT_REFUSED(gws->getLabels(noArray()), "labels_out must be");
-    EXPECT_REFUSED(gws->getLabelContourMask(floats), "image must be");
-    EXPECT_REFUSED(gws->getLabelContourMask(noArray()), "image must be");
-    EXPECT_REFUSED(gws->getWatershedLineMask(floats), "image must be");
-    EXPECT_TRUE(bytes.empty() && floats.empty() && labels.empty() && mats.empty());
-
-    Mat tables[4];
-    EXPECT_REFUSED(gws->getStatistics(image, depth, floats, tables[1], tables[2], tables[3]), "stats must be");
-    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], floats, tables[2], tables[3]), "centroids must be");
-    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], bytes, tables[3]), "mean_colors must be");
-    EXPECT_REFUSED(gws->getStatistics(image, depth, tables[0], tables[1], tables[2], bytes), "mean_depths must be");
-    EXPECT_REFUSED(gws->getAdjacency(image, depth, bytes, tables[1], tables[2]), "pairs must be");
-    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], bytes, tables[2]), "lengths must be");
-    EXPECT_REFUSED(gws->getAdjacency(image, depth, tables[0], tables[1], bytes), "contrasts must be");
-    EXPECT_REFUSED(gws->getAdjacency(image, depth, labels, tables[1], tables[2]), "pairs must be");
-    for (int i = 0; i < 4; i++)
-        EXPECT_TRUE(tables[i].empty());
-}
-
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_output, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_output, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

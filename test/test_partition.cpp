@@ -55,28 +55,19 @@ TEST_P(ximgproc_GWatershed_partition, takes_any_small_size_with_any_region_size)
         }
 }
 
-TEST_P(ximgproc_GWatershed_partition, takes_long_strips_in_linear_time)
+TEST_P(ximgproc_GWatershed_partition, takes_long_strips)
 {
     RNG& rng = theRNG();
     const Size sizes[] = { Size(70000, 1), Size(1, 70000), Size(70000, 2), Size(3, 40000), Size(300000, 1) };
     for (size_t i = 0; i < 5; i++)
     {
-        const int side = cvRound(std::sqrt(double(sizes[i].area())));
-        const Mat strip = makeImage(NOISE, sizes[i], 3, rng), square = makeImage(NOISE, Size(side, side), 3, rng);
-        TickMeter strip_time, square_time;
+        const Mat strip = makeImage(NOISE, sizes[i], 3, rng);
         for (int region_size = 1; region_size <= 70000; region_size = region_size * 7 + 1)
         {
             Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(strip, GetParam(), region_size);
-            strip_time.start();
             gws->iterate();
-            strip_time.stop();
             expectPartition(labelsOf(gws), strip.size(), gws->getNumberOfSuperpixels());
-            gws->setDesiredSuperpixels(gws->getNumberOfSuperpixels());
-            square_time.start();
-            gws->iterate(square);
-            square_time.stop();
         }
-        EXPECT_LT(strip_time.getTimeMilli(), 20 * square_time.getTimeMilli()) << sizes[i]; // rows have a price, too
     }
 }
 
@@ -200,7 +191,10 @@ TEST(ximgproc_SuperpixelGWatershed, has_no_direction)
     {
         const Mat image = makeScene(Size(240, 240), rng), contours = thickContours(segment(image, GWATERSHED, 20));
         for (int mirrored = 0; mirrored < 2; mirrored++)
-            mean[mirrored] += agreement(contours, thickContours(segmentTurned(image, mirrored != 0, GWATERSHED))) / count;
+        {
+            const Mat turned = segmentTurned(image, mirrored != 0, GWATERSHED);
+            mean[mirrored] += agreement(contours, thickContours(turned)) / count;
+        }
     }
     EXPECT_GE(mean[0], 0.95) << "transposed";
     EXPECT_GE(mean[1], 0.95) << "mirrored";
@@ -291,12 +285,10 @@ TEST_P(ximgproc_GWatershed_partition, is_the_same_without_optimized_code)
     RNG& rng = theRNG();
     const Mat image = makeScene(Size(333, 222), rng), depth = makeDepth(image.size(), 0.1, rng);
     const Mat expected = segment(image, depth, GetParam(), 10);
-    setUseOptimized(false);
-    const Mat plain = segment(image, depth, GetParam(), 10);
-    setUseOptimized(true);
-    EXPECT_TRUE(equalMats(expected, plain));
+    const UseOptimizedGuard off(false);
+    EXPECT_TRUE(equalMats(expected, segment(image, depth, GetParam(), 10)));
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_partition, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_partition, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

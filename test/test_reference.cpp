@@ -8,8 +8,8 @@
 
 namespace opencv_test { namespace {
 
-// Algorithm 1 of the paper once more, as plainly as it can be written: a deque for each height,
-// Mat::at, tests of bounds, no tricks. The class must give the same labels pixel by pixel.
+// Algorithm 1 of the paper in its simplest form: a deque for each priority, Mat::at, bounds tests. The class must give
+// the same labels for every pixel.
 
 const int S_BORDER = -1, S_INQ = -2;
 const Point LEFT_TOP_RIGHT_BOTTOM[4] = { Point(-1, 0), Point(0, -1), Point(1, 0), Point(0, 1) };
@@ -28,7 +28,7 @@ struct PlainGWatershed
     {
         return Rect(Point(), color.size()).contains(p) && (mask.empty() || mask.at<uchar>(p));
     }
-    // Whether a pixel of the image around p is outside of the mask: its gradient cannot be told.
+    // Whether the 3x3 window has a pixel of the image outside of the mask. Then the gradient is not known.
     bool besideOutside(Point p) const
     {
         for (int dy = -1; dy <= 1; dy++)
@@ -264,7 +264,7 @@ Mat scaleDepthPlainly(const Mat& depth, float near_depth, float far_depth)
     return scaled;
 }
 
-// A depth map of one value, holes aside, must have no effect.
+// Whether a depth map has one value only, apart from holes. It must have no effect then.
 bool tellsNothing(const Mat& scaled)
 {
     double smallest = 0, largest = 0;

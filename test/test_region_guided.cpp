@@ -30,7 +30,8 @@ TEST(ximgproc_SuperpixelGWatershed, more_iterations_never_explain_less)
     const float rulers[] = { 0, 1, 10, 40 };
     for (int i = 0; i < 24; i++)
     {
-        const Mat image = makeImage(i % 6 == 5 ? NOISE : SCENE, Size(rng.uniform(40, 220), rng.uniform(40, 180)), 3, rng);
+        const Size size(rng.uniform(40, 220), rng.uniform(40, 180));
+        const Mat image = makeImage(i % 6 == 5 ? NOISE : SCENE, size, 3, rng);
         const int num_superpixels = rng.uniform(2, 400);
         double before = 0;
         for (int iterations = 1; iterations <= 6; iterations++)
@@ -127,7 +128,7 @@ TEST(ximgproc_SuperpixelGWatershed, cuts_along_edges_of_colour)
     }
 }
 
-TEST(ximgproc_SuperpixelGWatershed, takes_uniform_colours_as_they_are)
+TEST(ximgproc_SuperpixelGWatershed, takes_lab_input_as_it_is)
 {
     const int SCENES = 10;
     Mat lab;

@@ -103,7 +103,7 @@ TEST_P(ximgproc_GWatershed_temporal, explains_a_stream_as_well_as_each_frame_by_
     EXPECT_GT(with, without - 0.02);
 }
 
-TEST_P(ximgproc_GWatershed_temporal, starts_anew_where_there_is_nothing_to_follow)
+TEST_P(ximgproc_GWatershed_temporal, starts_again_where_there_is_nothing_to_follow)
 {
     RNG& rng = theRNG();
     const Size size(120, 90), other(130, 70);
@@ -199,7 +199,7 @@ TEST_P(ximgproc_GWatershed_temporal, is_not_disturbed_by_merging_and_threads)
     }
 }
 
-INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, GWATERSHED_ALGORITHMS);
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, testing::ValuesIn(ALGORITHMS));
 
 TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_are_as_good_after_a_cut)
 {

@@ -6,10 +6,10 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Rows that one task takes: its derivatives stay in the cache up to a width of 4K.
+//! Rows of one task. Its derivatives fit into the cache up to the width of a 4K image.
 static const int BAND = 32;
 
-//! Sobel magnitude of one band, CV_16UC1. Reads the rows beyond the band where there are any.
+//! Sobel magnitude of one band, CV_16UC1. Reads the rows above and below the band, if there are any.
 static void sobelMagnitude(const Mat& band, Mat& magnitude)
 {
     Mat dx, dy;
@@ -25,12 +25,13 @@ static void sobelMagnitude(const Mat& band, Mat& magnitude)
     }
 }
 
-//! Adds the gradient of depth with the weight 1 - alpha, where no depth is missing in the window.
+//! Combines the gradients of colour and depth with the weights alpha and 1 - alpha, where the 3x3 window has no missing
+//! depth.
 static void addDepthGradient(const Mat& band, int alpha, Mat& gradient)
 {
     Mat lowest, depth_gradient(band.size(), CV_16UC1);
     sobelMagnitude(band, depth_gradient);
-    erode(band, lowest, Mat()); // 0: the 3x3 window holds a missing depth
+    erode(band, lowest, Mat()); // 0 if the 3x3 window has a missing depth
     for (int y = 0; y < band.rows; y++)
     {
         const ushort* from = depth_gradient.ptr<ushort>(y);
@@ -42,7 +43,7 @@ static void addDepthGradient(const Mat& band, int alpha, Mat& gradient)
     }
 }
 
-//! Section III.A. The steps work in bands of rows, one task each.
+//! Section III.A of the paper. Each band of rows is one task.
 void computeGradientMap(const Mat& color, const Mat& depth, int alpha, Mat& gray, Mat& gradient)
 {
     CV_TRACE_FUNCTION();

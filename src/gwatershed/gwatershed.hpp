@@ -14,18 +14,18 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! GWATERSHED, Algorithm 1 of the paper, from the 8-bit image and the scaled depth to the labels.
-//! Holds the buffers.
+//! GWATERSHED: Algorithm 1 of the paper, from the 8-bit image and the scaled depth to the labels. An object keeps the
+//! buffers from image to image.
 class GWatershed
 {
 public:
-    //! Makes room for images of a size.
+    //! Allocates buffers for images of a size.
     void reserve(Size size);
 
-    //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
+    //! labels become CV_32SC1, below 0 where there is no label. Returns the number of superpixels.
     int run(const Frame& frame, const Parameters& parameters, Mat& labels);
 
-    //! Sets the watershed lines of the last run in a mask of its size.
+    //! Marks the watershed lines of the last run in a mask of the size of its image.
     void drawLines(Mat& mask) const;
 
     //! Features of the pixels of the last run.

@@ -6,10 +6,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! @note Not in the paper. Regions of less than a sixteenth of the mean area are given up, the smallest
-//! first, while there are regions of more than four times the mean: each of these, the largest first, gets a
-//! second marker and the label of one that was given up. Not so in a mask, where a small region may be all
-//! that there is in a component.
+//! Takes the markers of very small regions (below a sixteenth of the mean area, the smallest first) and gives each of
+//! them to a very large region (above four times the mean, the largest first), which then has two.
+//! @note Not in the paper.
 static void exchangeMarkers(const Mat& gradient, MarkerBuffers& buffers, std::vector<Point>& markers)
 {
     typedef std::pair<int, int> AreaAndLabel;
@@ -49,7 +48,7 @@ void trackMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuf
     for (int i = 0; i < n; i++)
         markers[i] = findMarker(gradient, buffers.points.begin() + buffers.starts[i],
                                 buffers.points.begin() + buffers.starts[i + 1], 4);
-    if (!masked)
+    if (!masked) // in a mask, a small region may be a component of its own
         exchangeMarkers(gradient, buffers, markers);
 }
 

@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Moves each marker into the middle of the region that it had in the last frame, of which labels is the label
-//! map; markers of regions that have all but vanished go to those that are too large.
+//! Moves each marker to the middle of its region in the last frame. labels is the label map of that frame. Markers of
+//! regions that have nearly vanished move into regions that are too large.
 void trackMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuffers& buffers,
                   std::vector<Point>& markers);
 

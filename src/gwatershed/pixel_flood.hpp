@@ -22,7 +22,7 @@ struct PixelFloodBuffers
 
 //! Algorithm 1: floods from the pixels that have a label. Leaves LINE and UNLABELLED pixels.
 //! A pixel whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
-CV_EXPORTS void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, PixelMap& pixels,
+void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, PixelMap& pixels,
                                  PixelFloodBuffers& buffers);
 
 }}} // namespace

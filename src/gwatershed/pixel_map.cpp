@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! cn is the number of channels; green and red are the channels 1 and 2, or 0 in a gray image.
+//! cn is the number of channels. A gray image has one, which becomes all three colours.
 static void packRow(const uchar* color, int cn, const uchar* depth, FloodPixel* pixels, int cols)
 {
     const int green = cn == 1 ? 0 : 1, red = cn == 1 ? 0 : 2;

@@ -6,8 +6,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Label of the nearest labelled neighbour by distance, the first of left, top, right, bottom if
-//! equal; UNLABELLED if none has a label.
+//! Label of the neighbour at the smallest distance, of equal ones the first of left, top, right, bottom. UNLABELLED
+//! if no neighbour has a label.
 static int nearestLabel(const FloodPixel* pixel, const Vec4i& neighbors, int alpha)
 {
     int label = UNLABELLED, smallest = INT_MAX;
@@ -32,7 +32,7 @@ static void collectLines(PixelMap& map, std::vector<int>& lines)
         const FloodPixel* row = map.row(y);
         const int first = map.index(Point(0, y));
         lines.resize(std::max(lines.size(), count + size.width));
-        for (int x = 0; x < size.width; x++) // without a branch that no one could foresee: the next one goes over it
+        for (int x = 0; x < size.width; x++) // no unpredictable branch: an entry that is no line is overwritten
         {
             lines[count] = first + x;
             count += (row[x].state <= 0) & (row[x].state != FRAME);
@@ -41,9 +41,10 @@ static void collectLines(PixelMap& map, std::vector<int>& lines)
     lines.resize(count);
 }
 
-//! @note The paper ends with the lines. Here each round gives a label to all pixels that have a
-//! labelled neighbour when it begins; wide lines, and what they enclose, take several rounds. The
-//! pixels of a round need not be sorted, because none of them sees what the others get.
+//! In each round, all pixels that have a labelled neighbour at its start get a label. Wide lines, and the pixels that
+//! they enclose, take several rounds. The order within a round does not matter: no pixel sees the new label of
+//! another.
+//! @note Not in the paper, whose result has lines.
 void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers)
 {
     CV_TRACE_FUNCTION();

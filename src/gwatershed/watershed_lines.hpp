@@ -9,16 +9,16 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Indices of pixels.
+//! Lists of pixels, by index.
 struct LineBuffers
 {
     std::vector<int> lines; //!< all that the flood left without a label
-    std::vector<int> round, later; // that are given one now, and next
-    std::vector<int> chosen; // labels of a round
+    std::vector<int> round, later; // pixels that get a label in this round, and later
+    std::vector<int> chosen; // labels for the pixels of the round
 };
 
 //! Gives every pixel without a label to a neighbour.
-CV_EXPORTS void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
+void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
 
 }}} // namespace
 

@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Pairs of superpixels that touch, the length of their boundary, and its mean contrast where color is not
-//! empty; tables as SuperpixelGWatershed::getAdjacency() has them.
+//! Pairs of superpixels that touch, with the length and, if color is not empty, the contrast of their boundary. The
+//! tables are those of SuperpixelGWatershed::getAdjacency().
 void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Mat& depth, int alpha, Mat& pairs,
                    Mat& lengths, Mat& contrasts);
 

@@ -6,8 +6,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Marks the elements of a that differ from those of b, and those of b if both is set. The outside of
-//! a mask is like the outside of the image: there is no contour between it and a superpixel.
+//! Marks the elements of a that differ from those of b and, if both is true, those of b. Beside pixels outside of a
+//! mask there is no contour, as at the border of the image.
 static void markDifferences(const int* a, const int* b, int n, uchar* mask_a, uchar* mask_b, bool both)
 {
     for (int i = 0; i < n; i++)

@@ -9,7 +9,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mask of the pixels beside another label.
+//! Mask of the pixels that have a neighbour with another label.
 void drawContours(const Mat& labels, bool thick_line, Mat& mask);
 
 }}} // namespace

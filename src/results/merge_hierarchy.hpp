@@ -9,22 +9,22 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The order in which the superpixels of a label map are merged, most similar first, and the map.
+//! A label map and the order in which its superpixels are merged, the most similar first.
 class MergeHierarchy
 {
 public:
     bool empty() const { return num_labels_ == 0; }
 
-    //! Merges all superpixels, as far as they touch, of a CV_32SC1 label map; labels below 0 stay.
+    //! Finds the order for all superpixels of a CV_32SC1 label map that touch. Labels below 0 stay.
     void build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels, int num_labels);
 
-    //! Labels with num_labels superpixels, or as few as the order has. Returns their number.
+    //! The label map with num_labels superpixels, or with more if the order ends before. Returns their number.
     int cut(int num_labels, Mat& labels) const;
 
 private:
     Mat labels_;
     int num_labels_ = 0;
-    std::vector<Vec2i> unions_; // a superpixel and the one that takes it in
+    std::vector<Vec2i> unions_; // a superpixel, and the one that it becomes a part of
 };
 
 }}} // namespace

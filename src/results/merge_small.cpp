@@ -9,7 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The neighbour with the longest common boundary; of equal ones the first label. NONE if there is none.
+//! The neighbour with the longest common boundary; of equal ones the one with the lowest label. NONE without
+//! neighbours.
 static int closestNeighbor(RegionGraph& graph, int region)
 {
     int closest = RegionGraph::NONE, longest = 0;

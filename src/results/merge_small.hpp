@@ -9,7 +9,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Merges regions below min_area, smallest first; returns the new number of labels.
+//! Merges regions smaller than min_area pixels, the smallest first. Returns the new number of labels.
 int mergeSmallRegions(int num_labels, int min_area, Mat& labels);
 
 }}} // namespace

@@ -42,8 +42,8 @@ struct Extent
     }
 };
 
-//! The sums of all superpixels over some rows. Rows of the image and of depth become CV_64F first:
-//! sums of integers are exact then.
+//! The sums of all superpixels over some rows. Rows of the image and of depth become CV_64F first, so that sums of
+//! integers are exact.
 class StripeSums
 {
 public:
@@ -151,8 +151,8 @@ private:
 
 } // namespace
 
-//! One pass in stripes of rows. Their number depends on the label map alone, so that sums of floats
-//! do not depend on the number of threads.
+//! One pass over stripes of rows. Their number depends on the label map only, so sums of floats do not depend on the
+//! number of threads.
 void measureSuperpixels(const Mat& labels, int num_labels, const Mat& image, const Mat& depth, Mat& stats,
                         Mat& centroids, Mat& mean_colors, Mat& mean_depths)
 {

@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Area, bounding box and centroid of each superpixel, and its mean colour and depth where image and
-//! depth are not empty; tables as SuperpixelGWatershed::getStatistics() has them.
+//! Area, bounding box and centroid of each superpixel, and its mean colour and mean depth if image and depth are not
+//! empty. The tables are those of SuperpixelGWatershed::getStatistics().
 void measureSuperpixels(const Mat& labels, int num_labels, const Mat& image, const Mat& depth, Mat& stats,
                         Mat& centroids, Mat& mean_colors, Mat& mean_depths);
 

@@ -22,7 +22,8 @@ static int gradientAt(const Feature* f, int step, const RegionDistance& distance
 }
 
 //! The pixels at the border of the image have no neighbours to both sides: they count as edges.
-void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, Mat& gradient)
+void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, const Mat& mask,
+                          Mat& gradient)
 {
     CV_TRACE_FUNCTION();
     gradient.create(features.size(), CV_16UC1);
@@ -36,6 +37,8 @@ void computeBlockGradient(const Padded<Feature>& features, const RegionDistance&
                 gradient.at<ushort>(y, x) = ushort(height);
             }
     });
+    if (!mask.empty())
+        forgetGradients(mask, gradient);
 }
 
 }}} // namespace

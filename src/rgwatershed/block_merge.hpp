@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Merges the most similar neighbours until num_regions are left.
 //! length_exponent, in 1/16, is how much a long common boundary counts.
-CV_EXPORTS void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
+void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
                          MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 }}} // namespace

@@ -6,14 +6,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-bool SweepBuffers::moved() const
-{
-    for (size_t i = 0; i < moves.size(); i++)
-        if (!moves[i].empty())
-            return true;
-    return false;
-}
-
 template <typename T> static T* roomFor(size_t n, std::vector<T>& buffer)
 {
     buffer.resize(std::max(buffer.size(), n));
@@ -120,21 +112,22 @@ static int listMarked(const uchar* marks, int width, int* columns)
     return count;
 }
 
-void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, SweepBuffers& buffers, BoundaryList& list)
+void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, const std::vector<std::vector<Move> >& moves,
+                             std::vector<uchar>& marks, BoundaryList& list)
 {
     const MaskTable& table = maskTable();
     const int width = labels.size().width, step = labels.step();
     const int first = labels.index(Point(-1, rows.start)), last = labels.index(Point(-1, rows.end));
-    std::fill(buffers.marks.begin() + first, buffers.marks.begin() + last, uchar(0));
-    const int band = rows.start / SweepBuffers::BAND_HEIGHT, num_bands = int(buffers.last_moves.size());
+    std::fill(marks.begin() + first, marks.begin() + last, uchar(0));
+    const int band = rows.start / SWEEP_BAND_HEIGHT, num_bands = int(moves.size());
     for (int i = std::max(band - 1, 0); i <= std::min(band + 1, num_bands - 1); i++)
-        markAround(buffers.last_moves[i], first, last, step, buffers.marks);
+        markAround(moves[i], first, last, step, marks);
 
     int* columns = roomFor(width, list.columns);
     BoundaryPixel* found = roomFor(width, list.found);
     for (int y = rows.start; y < rows.end; y++)
     {
-        const int left = labels.index(Point(0, y)), num_columns = listMarked(&buffers.marks[left], width, columns);
+        const int left = labels.index(Point(0, y)), num_columns = listMarked(&marks[left], width, columns);
         int count = 0;
         for (int i = 0; i < num_columns; i++)
         {

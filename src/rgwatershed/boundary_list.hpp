@@ -7,8 +7,6 @@
 
 #include "rgwatershed/neighbor_masks.hpp"
 #include "shared/regions.hpp"
-#include <functional>
-#include <list>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -34,31 +32,19 @@ struct BoundaryList
     std::vector<BoundaryPixel> found;
 };
 
-//! The moves of the sweeps, in bands of rows, and buffers. Bands have the same height for any number of threads, so
-//! that the result is the same.
-struct SweepBuffers
-{
-    enum { BAND_HEIGHT = 16 };
+//! Rows of a band; bands have the same height for any number of threads, so that the result is the same.
+enum { SWEEP_BAND_HEIGHT = 16 };
 
-    std::vector<std::vector<Move> > moves, last_moves; //!< of this sweep and of the one before, by bands
-    std::vector<uchar> marks;                          //!< by pixel
-    std::list<BoundaryList> lists; //!< that no thread uses
-
-    //! Whether any pixel moved in the last sweep.
-    bool moved() const;
-};
-
-//! Adds the pixels of some rows that may leave their regions to a list.
-typedef std::function<void(const Range& rows, BoundaryList& list)> ListBoundary;
-
-//! All of them, in raster order.
-CV_EXPORTS void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
+//! Adds the pixels of some rows that may leave their regions, in raster order, to a list.
+void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
 //! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
 void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);
 
 //! Those of them that touch one of the pixels that moved in the sweep before; rows are those of a band.
-void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, SweepBuffers& buffers, BoundaryList& list);
+//! moves are those of that sweep by bands, marks a buffer for the elements of labels.
+void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, const std::vector<std::vector<Move> >& moves,
+                             std::vector<uchar>& marks, BoundaryList& list);
 
 //! Takes the pixels of markers from the list, so that a sweep does not move them.
 void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list);

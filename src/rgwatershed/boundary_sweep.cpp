@@ -180,43 +180,84 @@ private:
     std::list<BoundaryList> list_;
 };
 
-//! Means are those of the beginning of the sweep.
-void sweepBoundary(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                   VariationGuard* guard, const ListBoundary& list, SweepBuffers& buffers, Padded<int>& labels,
-                   Regions& regions)
+void BoundarySweeper::start(const Padded<Feature>& features, const BoundaryEnergy& energy, const Mat& markers,
+                            Padded<int>& labels, Regions& regions)
+{
+    features_ = &features;
+    energy_ = &energy;
+    markers_ = markers;
+    labels_ = &labels;
+    regions_ = &regions;
+}
+
+void BoundarySweeper::sweepAll()
+{
+    sweep([&](const Range& rows, BoundaryList& boundary) { listBoundary(*labels_, rows, boundary); }, 0);
+}
+
+void BoundarySweeper::sweepAllOfBlocks(const Padded<int>& blocks)
+{
+    sweep([&](const Range& rows, BoundaryList& boundary)
+    {
+        listBoundaryOfBlocks(blocks, *labels_, rows, boundary);
+    }, 0);
+}
+
+void BoundarySweeper::sweepAgain(int count, VariationGuard* guard)
+{
+    if (count > 0)
+        marks_.resize(size_t(labels_->step()) * (labels_->size().height + 2));
+    for (int i = 0; i < count && moved(); i++)
+        sweep([&](const Range& rows, BoundaryList& boundary)
+        {
+            listBoundaryAroundMoves(*labels_, rows, last_moves_, marks_, boundary);
+        }, guard);
+}
+
+bool BoundarySweeper::moved() const
+{
+    for (size_t i = 0; i < moves_.size(); i++)
+        if (!moves_[i].empty())
+            return true;
+    return false;
+}
+
+//! One sweep over what is listed, but for the pixels of markers.
+void BoundarySweeper::sweep(const ListBoundary& list, VariationGuard* guard)
 {
     CV_TRACE_FUNCTION();
-    const int BAND_HEIGHT = SweepBuffers::BAND_HEIGHT, height = labels.size().height;
-    std::vector<std::vector<Move> >& moves = buffers.moves;
-    moves.swap(buffers.last_moves);
-    moves.resize((height + BAND_HEIGHT - 1) / BAND_HEIGHT);
-    BoundarySweep sweep(features, distance, length_price, guard, labels, regions);
+    const int height = labels_->size().height;
+    moves_.swap(last_moves_);
+    moves_.resize((height + SWEEP_BAND_HEIGHT - 1) / SWEEP_BAND_HEIGHT);
+    BoundarySweep sweep(*features_, energy_->distance, energy_->length_price, guard, *labels_, *regions_);
     Mutex mutex;
-    parallel_for_(Range(0, int(moves.size())), [&](const Range& range)
+    parallel_for_(Range(0, int(moves_.size())), [&](const Range& range)
     {
-        BorrowedList borrowed(buffers.lists, mutex);
+        BorrowedList borrowed(lists_, mutex);
         BoundaryList& boundary = borrowed.get();
         for (int i = range.start; i < range.end; i++)
         {
             boundary.pixels.clear();
-            list(Range(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height)), boundary);
-            sweep.choose(boundary.pixels, moves[i]);
+            list(Range(i * SWEEP_BAND_HEIGHT, std::min((i + 1) * SWEEP_BAND_HEIGHT, height)), boundary);
+            if (!markers_.empty())
+                keepMarkers(markers_, *labels_, boundary);
+            sweep.choose(boundary.pixels, moves_[i]);
         }
     });
-    moveEverySecond(0, sweep, moves);
-    moveEverySecond(1, sweep, moves);
+    moveEverySecond(0, sweep, moves_);
+    moveEverySecond(1, sweep, moves_);
 
-    for (size_t i = 0; i < moves.size(); i++)
-        for (size_t k = 0; k < moves[i].size(); k++)
+    for (size_t i = 0; i < moves_.size(); i++)
+        for (size_t k = 0; k < moves_[i].size(); k++)
         {
-            const Move& move = moves[i][k];
-            const Feature& feature = features.data()[move.index];
-            regions.sums[move.from].add(feature, -1);
-            regions.sums[move.to].add(feature);
+            const Move& move = moves_[i][k];
+            const Feature& feature = features_->data()[move.index];
+            regions_->sums[move.from].add(feature, -1);
+            regions_->sums[move.to].add(feature);
             if (guard)
-                guard->move(labels.point(move.index), move.from, move.to);
+                guard->move(labels_->point(move.index), move.from, move.to);
         }
-    regions.update();
+    regions_->update();
     if (guard)
         guard->update();
 }

@@ -31,7 +31,7 @@ struct FloodBuffers
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
 //! are there.
 //! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256.
-CV_EXPORTS void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 

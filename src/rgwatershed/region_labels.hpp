@@ -10,10 +10,10 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Labels of blocks of 2x2 pixels to the pixels.
-CV_EXPORTS void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
+void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
-CV_EXPORTS void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
+void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
 //! The pixels inside of the mask that have no label become UNSEEN.
 void openUnlabelled(const Mat& mask, Padded<int>& labels);

@@ -2,118 +2,131 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/region_names.hpp"
-#include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/renumber.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Of regions that have changed much.
-struct Change
+void RegionTracker::start(const Plan& plan, const Padded<Feature>& features, const Padded<int>& labels,
+                          const Regions& regions)
 {
-    std::vector<uchar> changed; //!< by region
-    double changed_area, area;
-};
+    measureErrors(features, plan.energy.distance, labels, regions, last_.errors);
+}
 
-static Change findChange(const std::vector<int64>& errors, const std::vector<int64>& errors_before,
-                         const Regions& regions)
+void RegionTracker::keep(const Plan& plan, const Padded<int>& labels)
+{
+    last_.level = plan.level;
+    labels.copyTo(CV_32SC1, last_.labels);
+}
+
+bool RegionTracker::track(const Plan& plan, const Padded<Feature>& features, const Mat& mask, BoundarySweeper& sweeper,
+                          Padded<int>& labels, Regions& regions)
+{
+    CV_TRACE_FUNCTION();
+    if (plan.level != last_.level)
+        return false;
+    std::vector<int64> errors;
+    labels.create(last_.labels.size(), OUTSIDE);
+    last_.labels.copyTo(labels.view(CV_32SC1));
+    regions.resize(int(last_.errors.size()));
+    measureRegions(features, last_.labels, regions);
+    sweeper.start(features, plan.energy, Mat(), labels, regions);
+    sweeper.sweepAll();
+    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1);
+    measureErrors(features, plan.energy.distance, labels, regions, errors);
+
+    Change change = findChange(errors, regions);
+    if (change.changed_area > change.area / 2)
+        return false;
+    if (change.changed_area > 0)
+        replaceChanged(plan, features, mask, change, labels, regions);
+    return true;
+}
+
+RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors, const Regions& regions) const
 {
     Change change = { std::vector<uchar>(errors.size()), 0, 0 };
     for (int i = 0; i < regions.size(); i++)
     {
         const int64 area = regions.sums[i].area;
-        change.changed[i] = errors[i] > ERROR_GROWTH * errors_before[i] + ERROR_FLOOR * area;
+        change.changed[i] = errors[i] > ERROR_GROWTH * last_.errors[i] + ERROR_FLOOR * area;
         change.area += double(area);
         change.changed_area += change.changed[i] ? double(area) : 0;
     }
     return change;
 }
 
-//! The regions of the last frame, moved to where their things are now. What they explain much worse than when
-//! they were made is made anew. Returns false, with nothing that can be used, if most of the scene is new.
-bool RGWatershed::track(const Frame& frame, int level, int length_price, const Parameters& parameters)
+//! The errors of the new regions are what later ones are measured by.
+void RegionTracker::replaceChanged(const Plan& plan, const Padded<Feature>& features, const Mat& mask, Change& change,
+                                   Padded<int>& labels, Regions& regions)
 {
-    const RegionDistance distance = sweepDistance(parameters.alpha, !frame.depth.empty());
+    const int num_kept = floodChanged(plan, features, mask, change, labels, regions);
+    mergeAll(plan, features, num_kept, change, labels, regions);
     std::vector<int64> errors;
-    regions_.resize(int(errors_.size()));
-    measureRegions(features_[level], labels_[level].view(CV_32SC1), regions_);
-    sweepAll(level, length_price, distance, frame);
-    sweepAgain(SWEEPS_TO_TRACK - 1, level, length_price, distance, frame, 0);
-    measureErrors(features_[level], distance, labels_[level], regions_, errors);
-
-    Change change = findChange(errors, errors_, regions_);
-    if (change.changed_area > change.area / 2)
-        return false;
-    if (change.changed_area == 0)
-        return true;
-    const RegionDistance flood_distance = floodDistance(parameters.alpha, !frame.depth.empty());
-    const int num_kept = floodAnew(frame, level, change.changed, change.changed_area, change.area, flood_distance,
-                                   parameters.ruler);
-    mergeAnew(level, num_kept, change.changed, flood_distance, parameters.ruler);
-    measureErrors(features_[level], distance, labels_[level], regions_, errors);
+    measureErrors(features, plan.energy.distance, labels, regions, errors);
     for (size_t i = 0; i < errors.size(); i++)
         if (change.changed[i])
-            errors_[i] = errors[i]; // the measure of later ones
-    return true;
+            last_.errors[i] = errors[i];
 }
 
-//! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. Regions
-//! are numbered anew: those that are left first; names_ are their labels, and those that were where the new ones are.
-//! Returns how many are left.
-int RGWatershed::floodAnew(const Frame& frame, int level, const std::vector<uchar>& changed, double changed_area,
-                               double area, const RegionDistance& distance, float ruler)
+//! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. The
+//! regions that are kept get the first numbers. Returns how many these are.
+int RegionTracker::floodChanged(const Plan& plan, const Padded<Feature>& features, const Mat& mask,
+                                const Change& change, Padded<int>& labels, Regions& regions)
 {
-    const Padded<Feature>& features = features_[level];
-    const int num_regions = regions_.size();
-    Mat map = labels_[level].view(CV_32SC1);
-    map.copyTo(last_map_);
+    const int num_regions = regions.size();
+    std::vector<int> numbers(num_regions, int(UNSEEN));
     names_.clear();
-    numbers_.assign(num_regions, int(UNSEEN));
     for (int i = 0; i < num_regions; i++)
-        if (!changed[i])
+        if (!change.changed[i])
         {
-            numbers_[i] = int(names_.size());
-            regions_.sums[names_.size()] = regions_.sums[i];
+            numbers[i] = int(names_.size());
+            regions.sums[names_.size()] = regions.sums[i];
             names_.push_back(i);
         }
     const int num_kept = int(names_.size());
-    regions_.resize(num_kept);
-    renumber(numbers_, map);
+    regions.resize(num_kept);
+    Mat map = labels.view(CV_32SC1), before, gradient, dissolved;
+    map.copyTo(before);
+    renumber(numbers, map);
 
-    const double fewest = std::max(double(num_regions - num_kept), changed_area * num_regions / area);
-    const int num_markers = int(std::min(changed_area, MARKERS_PER_SUPERPIXEL * fewest));
-    makeGradient(frame, level, distance);
-    compare(map, Scalar(UNSEEN), dissolved_, CMP_EQ);
-    placeShapeMarkers(gradient_, dissolved_, num_markers, marker_buffers_, markers_);
-    bands_.assign(1, wholeBand(features.size(), markers_));
-    floodFromPoints(features, markers_, bands_, distance, floodRuler(changed_area, num_markers, ruler),
-                    flood_buffers_, labels_[level], regions_);
-    for (size_t i = 0; i < markers_.size(); i++)
-        names_.push_back(last_map_.at<int>(markers_[i]));
+    const double fewest = std::max(double(num_regions - num_kept), change.changed_area * num_regions / change.area);
+    const int num_markers = int(std::min(change.changed_area, MARKERS_PER_SUPERPIXEL * fewest));
+    std::vector<Point> markers;
+    computeBlockGradient(features, plan.flood_distance, mask, gradient);
+    compare(map, Scalar(UNSEEN), dissolved, CMP_EQ);
+    placeShapeMarkers(gradient, dissolved, num_markers, marker_buffers_, markers);
+    const std::vector<MarkerBand> bands(1, wholeBand(features.size(), int(markers.size())));
+    floodFromPoints(features, markers, bands, plan.flood_distance, plan.floodRuler(change.changed_area, num_markers),
+                    flood_buffers_, labels, regions);
+    for (size_t i = 0; i < markers.size(); i++)
+        names_.push_back(before.at<int>(markers[i]));
     return num_kept;
 }
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RGWatershed::mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance,
-                                float ruler)
+void RegionTracker::mergeAll(const Plan& plan, const Padded<Feature>& features, int num_kept, Change& change,
+                             Padded<int>& labels, Regions& regions)
 {
-    Mat map = labels_[level].view(CV_32SC1);
-    std::vector<int> areas(regions_.size());
-    for (int i = 0; i < regions_.size(); i++)
-        areas[i] = regions_.sums[i].area;
-    SimilarMerger merger(distance, lengthExponent(ruler), 0, merge_buffers_, regions_);
-    merger.run(map, int(changed.size()));
-    std::vector<int> parents;
-    applyUnions(merger.unions(), merger.unions().size(), regions_.size(), parents);
-    nameGroups(parents, areas, names_, num_kept, numbers_);
-    renumber(numbers_, map);
-    for (size_t i = 0; i < merger.unions().size(); i++)
-        changed[numbers_[merger.unions()[i][1]]] = 1;
-    regions_.resize(int(changed.size()));
-    measureRegions(features_[level], map, regions_);
+    Mat map = labels.view(CV_32SC1);
+    std::vector<int> areas(regions.size()), numbers;
+    for (int i = 0; i < regions.size(); i++)
+        areas[i] = regions.sums[i].area;
+    merge_buffers_.graph.build(map, regions.size(), WithoutContrast());
+    SimilarMerger merger(plan.flood_distance, plan.length_exponent, 0, merge_buffers_, regions);
+    merger.run(int(change.changed.size()));
+    const std::vector<int>& parents = merger.parents();
+    nameGroups(parents, areas, names_, num_kept, numbers);
+    renumber(numbers, map);
+    for (size_t i = 0; i < parents.size(); i++)
+        if (parents[i] != int(i))
+            change.changed[numbers[i]] = 1;
+    regions.resize(int(change.changed.size()));
+    measureRegions(features, map, regions);
 }
 
 }}} // namespace

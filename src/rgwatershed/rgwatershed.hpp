@@ -6,16 +6,15 @@
 #define OPENCV_GWATERSHED_RGWATERSHED_HPP
 
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/plan.hpp"
 #include "rgwatershed/region_flood.hpp"
-#include "shared/frame.hpp"
-#include "shared/mask_pyramid.hpp"
-#include "shared/parameters.hpp"
-#include "shared/region_merge.hpp"
-#include "shared/shape_markers.hpp"
+#include "rgwatershed/region_tracking.hpp"
+#include "rgwatershed/tuning.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! RGWATERSHED from the 8-bit image and the scaled depth to the labels. Holds the buffers.
+//! RGWATERSHED from the 8-bit image and the scaled depth to the labels. Holds the regions, labels and features of the
+//! levels, and buffers.
 class RGWatershed
 {
 public:
@@ -29,48 +28,27 @@ public:
     Padded<Feature> features() const { return features_[0]; }
 
 private:
-    enum { MAX_LEVEL = 2 }; //!< blocks of 2^level pixels are flooded
-
-    void makeGradient(const Frame& frame, int level, const RegionDistance& distance);
-    void floodAndMerge(const Frame& frame, int level, double side, const Parameters& parameters);
-    bool track(const Frame& frame, int level, int length_price, const Parameters& parameters);
-    int floodAnew(const Frame& frame, int level, const std::vector<uchar>& changed, double changed_area, double area,
-                  const RegionDistance& distance, float ruler);
-    void mergeAnew(int level, int num_kept, std::vector<uchar>& changed, const RegionDistance& distance, float ruler);
-    void floodFromUserMarkers(const Frame& frame, const RegionDistance& distance);
-    void descend(const Frame& frame, int level, const RegionDistance& distance);
-    void sweep(const ListBoundary& list, int level, int length_price, const RegionDistance& distance,
-               const Frame& frame, VariationGuard* guard);
-    void sweepAll(int level, int length_price, const RegionDistance& distance, const Frame& frame);
-    void sweepAllOfBlocks(int level, int length_price, const RegionDistance& distance, const Frame& frame);
-    void sweepAgain(int count, int level, int length_price, const RegionDistance& distance, const Frame& frame,
-                    VariationGuard* guard);
-
-    //! All rows and all markers.
-    static MarkerBand wholeBand(Size size, const std::vector<Point>& markers)
-    {
-        const MarkerBand band = { Range(0, size.height), Range(0, int(markers.size())) };
-        return band;
-    }
+    void floodBlocks(const Plan& plan, const Mat& mask);
+    void sweepAndMerge(const Plan& plan);
+    void floodFromUserMarkers(const Frame& frame, const Plan& plan);
+    void settle(const Frame& frame, const Plan& plan);
+    void descend(const Frame& frame, const Plan& plan, int level);
+    void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
-    Mat gradient_;
     Padded<Feature> features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];
+    Regions regions_;
+    BoundarySweeper sweeper_;
+    RegionTracker tracker_;
+
+    // Buffers.
+    Mat gradient_;
     std::vector<Point> markers_;
     std::vector<MarkerBand> bands_;
-    Regions regions_;
-    int top_ = 0;               // level of the last flood
-
-    // For video.
-    std::vector<int64> errors_; // of the regions of the last flood, when each of them was made
-    Mat last_map_, dissolved_;
-    std::vector<int> names_, numbers_;
-
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
     MergeBuffers merge_buffers_;
-    SweepBuffers sweep_buffers_;
 };
 
 }}} // namespace

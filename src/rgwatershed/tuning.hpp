@@ -12,9 +12,11 @@ namespace cv { namespace ximgproc { namespace gws {
 // Constants found on one half of the photographs of BSDS500's train split and checked on the other;
 // doc/log.md has the figures.
 
+enum { MAX_LEVEL = 2 };                        // of the pyramid: blocks of 2^level pixels are flooded
+static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
 static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
 static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
-static const double FLOOD_RULER = 0.4;         // height in levels, by ruler, one grid step from the marker
+static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int SWEEPS_BEFORE_MERGING = 2;
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the flood and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -34,12 +36,6 @@ static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
 static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
-
-//! Height of one block of distance from the marker, as floodFromPoints() takes it.
-inline int floodRuler(double blocks, int num_markers, float ruler)
-{
-    return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(blocks / num_markers), double(INT_MAX)));
-}
 
 //! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
 inline int floodBandHeight(double blocks, int num_superpixels)

@@ -9,7 +9,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { STRIDE = 16 }; // pixels that are converted at once
 
-//! Sums of up to 1024, so 16 bits hold them.
+//! 16 channel values as 16-bit numbers. Their sums are 1024 at most, so 16 bits are enough.
 struct Halves
 {
     explicit Halves(const v_uint8x16& v) { v_expand(v, low, high); }
@@ -18,7 +18,7 @@ struct Halves
 
 //! The opponent space: lightness (R + 2G + B) / 4, and the differences of red against green and
 //! of yellow against blue, halved and shifted to 0..255.
-//! @note Measured level with CIELAB as the space of superpixels (doc/log.md), and a few additions.
+//! @note As good as CIELAB for superpixels (measured, doc/log.md), and only a few additions.
 static inline void convertFromBGR(const v_uint16x8& b, const v_uint16x8& g, const v_uint16x8& r, v_uint16x8* color)
 {
     const v_uint16x8 red_and_green = v_add_wrap(r, g), blue_and_green = v_add_wrap(b, g);

@@ -9,16 +9,16 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! What is segmented: all images have one size, or are empty.
+//! One image with all that is needed to segment it. All matrices have its size, or are empty.
 struct Frame
 {
     Mat color;   //!< 8-bit with 1, 3 or 4 channels
-    Mat depth;   //!< CV_8UC1, 0 where it is missing; empty: there is none
-    Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty: all pixels are inside
-    Mat markers; //!< CV_32SC1, the label of a marker or below 0; empty: markers are to be placed
-    int num_pixels = 0;      //!< inside
-    int num_superpixels = 0; //!< asked for, or number of the markers
-    bool continues = false;    //!< it goes on from the last frame, which was of the same size, mask and number
+    Mat depth;   //!< CV_8UC1, 0 where it is missing; empty if there is no depth
+    Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty if all pixels are inside
+    Mat markers; //!< CV_32SC1, the label of a marker, or below 0; empty if markers are not given by the user
+    int num_pixels = 0;      //!< inside of the mask
+    int num_superpixels = 0; //!< asked for, or the number of markers of the user
+    bool continues = false;  //!< continues the last frame, which had the same size, mask and number
 };
 
 }}} // namespace

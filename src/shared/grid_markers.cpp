@@ -6,9 +6,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The smallest gradient within a quarter of the cell, one pixel at least, from its centre; of equal
-//! ones the nearest to the centre, then the first in raster order. It lies in the cell, so markers
-//! never coincide.
+//! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
+//! cell. Of equal ones the nearest to the centre, then the first in raster order. It lies in the cell, so no two
+//! markers are at the same place.
 //! @note The paper asks for local minima of the gradient and gives no rule.
 static Point findMarker(const Mat& gradient, const Rect& cell)
 {
@@ -39,21 +39,21 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
     return best;
 }
 
-//! i-th of the n + 1 borders that divide a length evenly.
+//! The i-th of the n + 1 limits that divide a length into n equal parts.
 static int divide(int length, int i, int n)
 {
     return int(int64(length) * i / n);
 }
 
-//! Number of rows of n cells that are about square.
+//! Number of rows of a grid of n cells that are nearly square.
 static int countRows(Size size, int n)
 {
-    const int fewest = (n + size.width - 1) / size.width; // that the cells need at least
+    const int fewest = (n + size.width - 1) / size.width; // rows, at least, for n cells
     const int square = cvRound(std::sqrt(double(n) * size.height / size.width));
     return std::max(fewest, std::min(square, std::min(size.height, n)));
 }
 
-//! Cells of n markers, n <= pixels; rows may differ by one cell.
+//! Cells of n markers, n <= pixels. The numbers of cells of two rows differ by one at most.
 static std::vector<Rect> divideIntoCells(Size size, int n)
 {
     const int rows = countRows(size, n);

@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! One marker for each of num_markers cells of a grid, num_markers <= pixels.
-CV_EXPORTS void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+//! Divides the image into a grid of num_markers cells and places one marker in each. num_markers <= pixels.
+void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
@@ -18,8 +18,15 @@ struct MarkerBand
     Range rows, markers;
 };
 
-//! Whole rows of cells of that grid, as few as are not lower than a height; all of them if they are.
-CV_EXPORTS void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+//! All rows and all markers.
+inline MarkerBand wholeBand(Size size, int num_markers)
+{
+    const MarkerBand band = { Range(0, size.height), Range(0, num_markers) };
+    return band;
+}
+
+//! Divides the grid into bands of whole rows of cells, each at least `height` pixels high if the image is.
+void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace
 

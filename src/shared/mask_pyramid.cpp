@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! First and last non-zero element, and one; {0, 0} if there is none.
+//! From the first non-zero element to the one after the last; {0, 0} if there is none.
 static Range findRange(const Mat& line)
 {
     const uchar* const begin = line.ptr();
@@ -33,7 +33,7 @@ void forgetGradients(const Mat& mask, Mat& gradient)
 {
     CV_TRACE_FUNCTION();
     Mat inside;
-    erode(mask, inside, Mat(), Point(-1, -1), 1, BORDER_REPLICATE | BORDER_ISOLATED); // 0: there is one in the window
+    erode(mask, inside, Mat(), Point(-1, -1), 1, BORDER_REPLICATE | BORDER_ISOLATED); // 0: one is outside
     gradient.setTo(Scalar(UNKNOWN_GRADIENT), inside == 0);
 }
 
@@ -54,7 +54,7 @@ static void halveMask(const Mat& mask, Mat& halved)
     }
 }
 
-//! Number of connected components of the pixels in which no block lies.
+//! Number of connected components of the pixels that hold no block.
 static int countLost(const Mat& components, int num_components, const Mat& blocks, int level)
 {
     std::vector<bool> kept(num_components, false);
@@ -69,7 +69,7 @@ void MaskPyramid::build(const Mat& mask, int max_level)
 {
     CV_TRACE_FUNCTION();
     if (!levels_.empty() && levels_[0].mask.data == mask.data && levels_[0].mask.size() == mask.size())
-        return; // the mask of the last image, which is kept here and never written to
+        return; // it is the mask of the last image
     std::vector<Level> levels(max_level + 1);
     Mat components, components_of_pixels;
     for (int i = 0; i <= max_level; i++)
@@ -85,7 +85,7 @@ void MaskPyramid::build(const Mat& mask, int max_level)
             swap(components, components_of_pixels);
         level.lost = i == 0 ? 0 : countLost(components_of_pixels, levels[0].components, level.mask, i);
     }
-    levels_.swap(levels); // complete, or as it was
+    levels_.swap(levels); // at the end, so that an exception before leaves the old ones
 }
 
 }}} // namespace

@@ -12,17 +12,17 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Bounding box of the non-zero pixels of a CV_8UC1 mask; empty if there are none.
 Rect findBounds(const Mat& mask);
 
-//! Gradients beside a pixel outside of the mask become UNKNOWN_GRADIENT.
+//! Gradients with a pixel outside of the mask in their 3x3 window become UNKNOWN_GRADIENT.
 void forgetGradients(const Mat& mask, Mat& gradient);
 
-//! What stands for a gradient that cannot be told: markers avoid it, and it is no border.
+//! Stands for a gradient that is not known. Markers avoid it, and it makes no border.
 enum { UNKNOWN_GRADIENT = USHRT_MAX };
 
-//! A mask, and masks of the blocks of 2x2, 4x4... pixels that lie in it as a whole.
+//! A mask, and masks of the blocks of 2x2, 4x4... pixels all of whose pixels are inside.
 class MaskPyramid
 {
 public:
-    //! Replaces the mask, CV_8UC1 with 0 and 255, which must not be written to later.
+    //! Sets the mask, CV_8UC1 with 0 and 255. It is not copied, and must not be written to later.
     void build(const Mat& mask, int max_level);
 
     const Mat& mask(int level) const { return levels_[level].mask; }
@@ -30,7 +30,7 @@ public:
     int blocks(int level) const { return levels_[level].blocks; }
     //! Number of connected components of the blocks.
     int components(int level) const { return levels_[level].components; }
-    //! Number of connected components of the pixels in which no block lies.
+    //! Number of connected components of the mask that hold no block of that level.
     int lost(int level) const { return levels_[level].lost; }
 
 private:

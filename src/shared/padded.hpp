@@ -9,19 +9,19 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Reads a value that will be needed soon, so that it is fetched while something else is worked on.
+//! Reads a value that will be needed soon, so that it is in the cache by then.
 template <typename T> inline void touch(const T& value)
 {
     const T read = *static_cast<const volatile T*>(&value);
     static_cast<void>(read);
 }
 
-//! An image with a frame of one element around it, so that neighbours need no test of bounds.
-//! Elements are named by one index; a neighbour is a fixed offset away.
+//! An image with a frame of one element around it, so that neighbours need no bounds test.
+//! One index names an element, and each neighbour has a fixed offset to it.
 template <typename T> class Padded
 {
 public:
-    //! Allocates for images of a size. Elements and frame are not set.
+    //! Allocates for images of a size. Does not set the elements and the frame.
     void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, CV_8UC(int(sizeof(T)))); }
 
     void create(Size size, const T& frame)
@@ -42,6 +42,9 @@ public:
 
     //! The image without its frame, as a Mat of the type of its elements.
     Mat view(int type) { return Mat(size(), type, row(0), buffer_.step); }
+
+    //! Copies the image without its frame, whose elements have a type.
+    void copyTo(int type, Mat& image) const { Mat(size(), type, const_cast<T*>(row(0)), buffer_.step).copyTo(image); }
 
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }

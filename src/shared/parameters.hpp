@@ -9,19 +9,19 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The parameters of SuperpixelGWatershed. Setters throw, and change nothing, on a wrong value.
+//! The parameters of SuperpixelGWatershed. A setter throws on a wrong value, and then changes nothing.
 struct Parameters
 {
     int algorithm = RGWATERSHED;
-    int region_size = 10;   //!< 0: num_superpixels rules
-    int num_superpixels = 0;
+    int region_size = 10;   //!< 0 if num_superpixels is used
+    int num_superpixels = 0; //!< 0 if region_size is used
     float ruler = 10.f;
     float alpha = 0.5f;
     bool lab_input = false;
     bool temporal = false;
-    float near_depth = 0;   //!< both 0: the range comes from the frame
+    float near_depth = 0;   //!< both are 0 if the range is taken from the frame
     float far_depth = 0;
-    float border_threshold = 150; //!< measured, see doc/log.md; 0: none
+    float border_threshold = 150; //!< found by measurement, see doc/log.md; 0 means no borders
 
     void setAlgorithm(int value);
     void setRegionSize(int value);

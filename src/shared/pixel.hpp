@@ -9,14 +9,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A pixel as the flood sees it: 8-bit colour (a gray value thrice) and scaled depth, 0 if missing.
+//! A pixel for the flood: 8-bit colour (all three equal in a gray image) and scaled depth, 0 if it is missing.
 struct Pixel
 {
     uchar b, g, r, depth;
 };
 
 //! Equations (1) to (3) of the paper, 0..255. alpha is in 1/256.
-//! @note Where either depth is missing, colour alone counts.
+//! @note If the depth of p or q is missing, colour alone counts.
 inline int distance(const Pixel& p, const Pixel& q, int alpha)
 {
     const int color = std::max(std::max(std::abs(p.b - q.b), std::abs(p.g - q.g)), std::abs(p.r - q.r));

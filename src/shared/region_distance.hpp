@@ -12,12 +12,12 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth. Weights are in 1/256, the distance in 1/16 of a level.
-//! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
-//! or the same everywhere, leaves colour as it is beside the other terms of a height.
+//! @note Equation (3) divided by the larger of alpha and 1 - alpha. So the weight of colour against the other terms of
+//! a priority is the same with depth and without.
 class RegionDistance
 {
 public:
-    //! with_depth may be false if no feature has depth; it makes some loops faster.
+    //! with_depth may be false if no feature has depth, which makes some loops faster.
     RegionDistance(int lightness, int chroma, float alpha, bool with_depth_) : with_depth(with_depth_)
     {
         const float larger = std::max(alpha, 1 - alpha);
@@ -41,14 +41,14 @@ public:
         return (w[0] * d0 + w[1] * d1 + w[2] * d2 + w[3] * d3) >> 8;
     }
 
-    //! The square of it, in squared levels.
+    //! The square of the distance, in squared levels.
     int squared(const Feature& f, const RegionMean& r) const
     {
         const int d = (*this)(f, r);
         return (d * d) >> 8;
     }
 
-    //! Both squares of the distances to two regions, at once.
+    //! The squares of the distances to two regions.
     template <bool WITH_DEPTH> Vec2i squared(const Feature& f, const RegionMean& a, const RegionMean& b) const
     {
         const short* weights_a = WITH_DEPTH ? weightsOf(f, a) : weights[0];

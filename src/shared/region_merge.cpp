@@ -7,12 +7,11 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // A round: each region finds the neighbour with which its union costs least. Where two regions are that to each other,
-// they may be united; the cheaper ones of these pairs are. Then regions are numbered anew, in the same order, so what
-// lies near in the image stays near in memory, and their lists are joined. All regions can do that at the same time.
+// they are a pair; the cheaper pairs are united. All is done by passes over the edges and over the regions, in the
+// order of the image. No region is in two pairs, so bands of regions can be worked on at the same time.
 
-// Of the candidates, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
+// Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
-static const int MANY = 64;      // neighbours: a region with more takes in all to which it is the best
 static const uint64 NO_PRICE = ~uint64(0);
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
@@ -24,346 +23,288 @@ static inline int logarithm(float value)
 }
 
 //! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
-static inline uint64 price(int cost, int a, int b)
+static inline uint64 priceOf(int cost, int a, int b)
 {
-    return (uint64(unsigned(cost)) << 32) | unsigned(a ^ b);
+    return (uint64(unsigned(cost) ^ 0x80000000u) << 32) | unsigned(a ^ b);
 }
 
 static inline int neighborOf(int region, uint64 price)
 {
-    return price == NO_PRICE ? region : int(unsigned(price)) ^ region;
+    return int(unsigned(price)) ^ region;
 }
 
-//! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
-//! (mean contrast of the boundary + 1 level)^contrast exponent /
-//! (length of the boundary / root of the smaller area)^length exponent, as a logarithm: the exponents
-//! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
-//! that lets small regions go first where colours are equal, and a bonus for long boundaries.
-//! It is the same for both orders of the regions. contrast is the sum over the boundary of what is in the formula.
-static inline int unionCost(int squared_distance, float area_a, float area_b, float length, float contrast,
-                            int length_exponent, int contrast_exponent)
+//! Of weighted means, in 1/256 of a squared level.
+static inline int squaredDistance(const short* a, const short* b)
 {
-    const int log_a = logarithm(area_a), log_b = logarithm(area_b), log_length = logarithm(length);
-    const int areas = log_a + log_b - logarithm(area_a + area_b);
-    const int cost = 16 * logarithm(float(squared_distance + 4 * 256)) + 28 * areas -
-                     length_exponent * (log_length - std::min(log_a, log_b) / 2);
-    return contrast_exponent > 0 ? cost + contrast_exponent * (logarithm(contrast) - log_length) : cost;
+    const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
+    return d0 * d0 + d1 * d1 + d2 * d2;
 }
 
-//! Of means with depth, or of which some have none, with the weights of the flood.
+//! The same with depth, which some may not have, with the weights of the flood.
 static int squaredDistance(const RegionDistance& distance, const short* a, const short* b)
 {
-    int sum = 0;
-    for (int k = 0; k < 3; k++)
-        sum += (a[k] - b[k]) * (a[k] - b[k]);
+    const int sum = squaredDistance(a, b);
     if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
         return sum;
     const int depth = (distance.depth_share * (a[3] - b[3])) >> 8;
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
+//! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
+//! (length of the boundary / root of the smaller area)^-length exponent, as a logarithm: the exponents
+//! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
+//! that lets small regions go first where colours are equal, and a bonus for long boundaries.
+//! It is the same for both orders of the regions.
+static inline int unionCost(int squared_distance, const MergeRegion& a, const MergeRegion& b, int log_length,
+                            int length_exponent)
+{
+    const int areas = a.log_area + b.log_area - logarithm(a.area + b.area);
+    return 16 * logarithm(float(squared_distance + 4 * 256)) + 28 * areas -
+           length_exponent * (log_length - std::min(a.log_area, b.log_area) / 2);
+}
+
 SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                              MergeBuffers& buffers, Regions& regions)
     : distance_(distance), length_exponent_(length_exponent), contrast_exponent_(contrast_exponent),
-      originals_(regions), b_(buffers)
-{
-}
-
-void SimilarMerger::run(const Mat& labels, int num_regions)
-{
-    listNeighbors(labels, originals_.size(), b_.bands, b_.lists);
-    runRounds(num_regions, SHARE_FAR);
-}
-
-void SimilarMerger::runToTheEnd()
-{
-    runRounds(1, SHARE);
-}
-
-void SimilarMerger::runRounds(int num_regions, double share_far)
+      b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
-    while (int(b_.regions.size()) > num_regions)
-    {
-        joinLists();
-        findCandidates();
-        if (b_.candidates.empty())
-            return;
-        const size_t left = b_.regions.size() - num_regions, found = b_.candidates.size();
-        const double share = double(b_.regions.size()) > FAR * num_regions ? share_far : SHARE;
-        const size_t count = std::min(left, size_t(std::ceil(share * double(found))));
-        std::nth_element(b_.candidates.begin(), b_.candidates.begin() + (count - 1), b_.candidates.end());
-        if (contrast_exponent_ > 0)
-            std::sort(b_.candidates.begin(), b_.candidates.begin() + count);
-        unite(count);
-    }
 }
 
-//! Each region is a chain of itself.
+void SimilarMerger::run(int num_regions)
+{
+    while (num_left_ > num_regions && runRound(num_regions, false))
+        b_.graph.relabel(b_.parents, b_.changed);
+}
+
+std::vector<Vec2i> SimilarMerger::runToTheEnd()
+{
+    std::vector<Vec2i> unions;
+    while (runRound(1, true))
+    {
+        for (size_t i = 0; i < b_.chosen.size(); i++)
+            unions.push_back(Vec2i(b_.chosen[i].from, b_.chosen[i].to));
+        b_.graph.relabel(b_.parents, b_.changed);
+    }
+    return unions;
+}
+
 void SimilarMerger::start()
 {
-    const int n = originals_.size();
-    b_.regions.resize(n);
+    const int n = regions_.size();
+    b_.records.resize(n);
     b_.parents.resize(n);
-    b_.numbers.resize(n);
-    b_.firsts.resize(n);
-    b_.nexts.assign(n, -1);
+    b_.changed.resize(n);
     b_.best.resize(n);
-    for (int i = 0; i < n; i++)
+    b_.bands.resize(b_.graph.numBands());
+    b_.graph.forBands([&](int k, std::vector<int>&)
     {
-        b_.regions[i] = describe(i);
-        b_.parents[i] = b_.numbers[i] = b_.firsts[i] = i;
-    }
-}
-
-MergeRegion SimilarMerger::describe(int original) const
-{
-    const RegionMean& mean = originals_.means[original];
-    MergeRegion region = { { 0, 0, 0, mean.depth }, float(originals_.sums[original].area), original };
-    for (int k = 0; k < 3; k++)
-        region.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
-    return region;
-}
-
-//! Each list gets the room of those that it is made of.
-void SimilarMerger::placeLists()
-{
-    const int n = int(b_.regions.size());
-    std::swap(b_.lists, b_.last_lists);
-    b_.lists.starts.resize(n + 1);
-    b_.lists.counts.resize(n);
-    int end = 0;
-    for (int i = 0; i < n; i++)
-    {
-        b_.lists.starts[i] = end;
-        for (int k = b_.firsts[i]; k >= 0; k = b_.nexts[k])
-            end += b_.last_lists.counts[k];
-    }
-    b_.lists.starts[n] = end;
-    b_.lists.neighbors.resize(end);
-    b_.lists.contrasts.resize(contrast_exponent_ > 0 ? end : 0);
-    if (b_.first_position > INT_MAX - end)
-    {
-        b_.first_position = 1;
-        b_.scratch.clear();
-    }
-}
-
-//! Makes the lists of the regions of this round from those of the regions that they were in the last one, and finds
-//! the best neighbour of each.
-void SimilarMerger::joinLists()
-{
-    placeLists();
-    const int n = int(b_.regions.size()), CHUNK = 1024, num_chunks = (n + CHUNK - 1) / CHUNK;
-    b_.scratch.resize(std::max(int(b_.scratch.size()), num_chunks));
-    parallel_for_(Range(0, num_chunks), [&](const Range& range)
-    {
-        MergeBuffers::Scratch& scratch = b_.scratch[range.start];
-        scratch.positions.resize(std::max(int(scratch.positions.size()), n));
-        for (int k = range.start; k < range.end; k++)
+        const Range band = b_.graph.band(k);
+        b_.bands[k].active.resize(band.size());
+        for (int i = band.start; i < band.end; i++)
         {
-            const Range regions(k * CHUNK, std::min((k + 1) * CHUNK, n));
-            if (contrast_exponent_ > 0)
-                joinLists<true>(regions, scratch);
-            else
-                joinLists<false>(regions, scratch);
+            b_.parents[i] = b_.bands[k].active[i - band.start] = i;
+            b_.records[i] = describe(i);
         }
     });
-    b_.first_position += b_.lists.starts[n];
 }
 
-template <bool CONTRAST> void SimilarMerger::joinLists(const Range& regions, MergeBuffers::Scratch& scratch)
+MergeRegion SimilarMerger::describe(int region) const
 {
-    const int first = b_.lists.starts[regions.start], last = b_.lists.starts[regions.end];
-    scratch.owners.resize(std::max(int(scratch.owners.size()), last - first));
-    for (int i = regions.start; i < regions.end; i++)
+    const RegionMean& mean = regions_.means[region];
+    const float area = float(regions_.sums[region].area);
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area) };
+    for (int k = 0; k < 3; k++)
+        record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
+    return record;
+}
+
+//! Returns false if no region has a neighbour.
+bool SimilarMerger::runRound(int num_wanted, bool in_order)
+{
+    evaluate();
+    findPairs();
+    size_t num_active = 0, num_pairs = 0;
+    for (size_t k = 0; k < b_.bands.size(); k++)
     {
-        const int start = b_.lists.starts[i], size = b_.lists.starts[i + 1] - start;
-        const int count = joinList<CONTRAST>(i, scratch.positions.data(), scratch.owners.data() + (start - first));
-        for (int k = count; k < size; k++)
-        {
-            const Neighbor none = { i, 1 };
-            b_.lists.neighbors[start + k] = none;
-            scratch.owners[start - first + k] = i;
-        }
-        b_.lists.counts[i] = count;
-        b_.best[i] = NO_PRICE;
+        num_active += b_.bands[k].active.size();
+        num_pairs += b_.bands[k].pairs.size();
     }
-    findBest<CONTRAST>(first, last, scratch.owners.data());
+    if (num_active == 0)
+        return false;
+    const size_t FEWEST = 32; // active regions for each pair; else they depend on each other in long chains, or on one
+    const double share = in_order || num_left_ <= FAR * num_wanted ? SHARE : SHARE_FAR;
+    const size_t most = num_left_ - num_wanted;
+    if (num_pairs * FEWEST < num_active)
+        chooseOneSided(share, most);
+    else
+        choose(std::min(most, size_t(std::ceil(share * double(num_pairs)))));
+    if (in_order)
+        std::sort(b_.chosen.begin(), b_.chosen.end());
+    unite();
+    return true;
 }
 
-//! A neighbour is known if its position is in this list: others are those of lists before it, and are lower.
-//! Without branches: an entry is written in any case, and the next is written over it if its neighbour is known, or
-//! is the region itself.
-template <bool CONTRAST> int SimilarMerger::joinList(int region, int* positions, int* owners)
+//! Finds the costs of all unions, and the best one of each region.
+void SimilarMerger::evaluate()
 {
-    const int start = b_.lists.starts[region], first_position = b_.first_position + start;
-    const int* numbers = b_.numbers.data();
-    Neighbor* list = b_.lists.neighbors.data() + start;
-    int64* contrasts = CONTRAST ? b_.lists.contrasts.data() + start : 0;
-    int count = 0;
-    for (int k = b_.firsts[region]; k >= 0; k = b_.nexts[k])
+    const int between = b_.graph.numBands();
+    b_.graph.forBands([&](int k, std::vector<int>& table)
     {
-        const int first = b_.last_lists.starts[k], size = b_.last_lists.counts[k];
-        const Neighbor* last = b_.last_lists.neighbors.data() + first;
-        for (int i = 0; i < size; i++)
+        const std::vector<int>& active = b_.bands[k].active;
+        for (size_t i = 0; i < active.size(); i++)
+            b_.best[active[i]] = NO_PRICE;
+        b_.graph.join(k, table);
+        if (contrast_exponent_ > 0)
+            evaluate<true>(b_.graph.list(k));
+        else
+            evaluate<false>(b_.graph.list(k));
+    });
+    b_.graph.join(between, b_.table);
+    if (contrast_exponent_ > 0)
+        evaluate<true>(b_.graph.list(between));
+    else
+        evaluate<false>(b_.graph.list(between));
+}
+
+template <bool CONTRAST> void SimilarMerger::evaluate(EdgeList& list)
+{
+    const MergeRegion* records = b_.records.data();
+    uint64* best = b_.best.data();
+    const bool with_depth = distance_.with_depth;
+    const int length_exponent = length_exponent_, contrast_exponent = contrast_exponent_;
+    for (size_t i = 0; i < list.edges.size(); i++)
+    {
+        MergeEdge& edge = list.edges[i];
+        if (edge.cost == MergeEdge::UNKNOWN)
         {
-            const int neighbor = numbers[last[i].region];
-            const Neighbor added = { neighbor, 0 };
-            list[count] = added;
-            owners[count] = region;
+            const MergeRegion &a = records[edge.a], &b = records[edge.b];
+            const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
+                                            : squaredDistance(a.mean, b.mean);
+            const int log_length = logarithm(float(edge.length));
+            edge.cost = unionCost(distance, a, b, log_length, length_exponent);
             if (CONTRAST)
-                contrasts[count] = 0;
-            const int known = positions[neighbor] - first_position;
-            const int position = known >= 0 ? known : count;
-            positions[neighbor] = neighbor == region ? 0 : first_position + position;
-            list[position].length += last[i].length;
-            if (CONTRAST)
-                contrasts[position] += b_.last_lists.contrasts[first + i];
-            count += (position == count) & (neighbor != region);
+                edge.cost += contrast_exponent *
+                             (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
         }
-    }
-    return count;
-}
-
-//! Of the regions that own the entries first..last-1.
-template <bool CONTRAST> void SimilarMerger::findBest(int first, int last, const int* owners)
-{
-    enum { BATCH = 256 };
-    int parts[2 * BATCH], costs[BATCH];
-    float areas[2][BATCH], lengths[BATCH], contrasts[BATCH];
-    const int length_exponent = length_exponent_, contrast_exponent = CONTRAST ? contrast_exponent_ : 0;
-    const MergeRegion* regions = b_.regions.data();
-    int owner = -1;
-    uint64 best = NO_PRICE;
-    for (int begin = first; begin < last; begin += BATCH)
-    {
-        const int count = std::min(int(BATCH), last - begin);
-        const Neighbor* neighbors = b_.lists.neighbors.data() + begin;
-        const int* owners_here = owners + (begin - first);
-        measureDistances(begin, count, owners_here, parts);
-        for (int i = 0; i < count; i++)
-        {
-            areas[0][i] = regions[owners_here[i]].area;
-            areas[1][i] = regions[neighbors[i].region].area;
-            lengths[i] = float(neighbors[i].length);
-            if (CONTRAST)
-                contrasts[i] = float(b_.lists.contrasts[begin + i] + 16 * int64(neighbors[i].length));
-        }
-        for (int i = 0; i < count; i++)
-            costs[i] = unionCost(parts[2 * i] + parts[2 * i + 1], areas[0][i], areas[1][i], lengths[i],
-                                 CONTRAST ? contrasts[i] : 1, length_exponent, contrast_exponent);
-        for (int i = 0; i < count; i++)
-        {
-            const int region = owners_here[i], neighbor = neighbors[i].region;
-            const uint64 now = neighbor == region ? NO_PRICE : price(costs[i], region, neighbor);
-            best = std::min(region == owner ? best : NO_PRICE, now);
-            owner = region;
-            b_.best[region] = best;
-        }
+        const uint64 price = priceOf(edge.cost, edge.a, edge.b);
+        best[edge.a] = std::min(best[edge.a], price);
+        best[edge.b] = std::min(best[edge.b], price);
     }
 }
 
-//! The squared distances of the means, in 1/256 of a squared level, each as a sum of two parts.
-void SimilarMerger::measureDistances(int first, int count, const int* owners, int* parts) const
+void SimilarMerger::findPairs()
 {
-    const Neighbor* neighbors = b_.lists.neighbors.data() + first;
-    const MergeRegion* regions = b_.regions.data();
-    if (distance_.with_depth)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            parts[2 * i] = squaredDistance(distance_, regions[owners[i]].mean, regions[neighbors[i].region].mean);
-            parts[2 * i + 1] = 0;
-        }
-        return;
-    }
-    for (int i = 0; i < count; i += 2)
-    {
-        const int next = std::min(i + 1, count - 1);
-        const v_int16x8 a = v_load_halves(regions[owners[i]].mean, regions[owners[next]].mean);
-        const v_int16x8 b = v_load_halves(regions[neighbors[i].region].mean, regions[neighbors[next].region].mean);
-        const v_int16x8 difference = v_sub_wrap(a, b);
-        v_store(parts + 2 * i, v_dotprod(difference, difference));
-    }
+    b_.graph.forBands([&](int k, std::vector<int>&) { findPairs(k); });
 }
 
-//! Pairs of regions that are the best to each other; and what has few neighbours with its best, where that has many.
-void SimilarMerger::findCandidates()
+//! Pairs of regions that are the best to each other.
+void SimilarMerger::findPairs(int band)
 {
-    b_.candidates.clear();
-    for (int i = 0; i < int(b_.regions.size()); i++)
+    std::vector<int>& active = b_.bands[band].active;
+    std::vector<MergePair>& pairs = b_.bands[band].pairs;
+    pairs.resize(active.size());
+    size_t num_active = 0, num_pairs = 0;
+    for (size_t i = 0; i < active.size(); i++)
     {
-        const int to = neighborOf(i, b_.best[i]);
-        if (to == i)
+        const int region = active[i];
+        const uint64 price = b_.best[region];
+        if (b_.parents[region] != region || price == NO_PRICE)
             continue;
-        const bool mutual = b_.best[to] == b_.best[i];
-        if (mutual ? to < i : b_.lists.counts[to] > MANY && b_.lists.counts[i] <= MANY)
+        active[num_active++] = region;
+        b_.changed[region] = 0;
+        const int neighbor = neighborOf(region, price);
+        const MergePair pair = { price, neighbor, region };
+        pairs[num_pairs] = pair;
+        num_pairs += (region < neighbor) & (b_.best[neighbor] == price);
+    }
+    active.resize(num_active);
+    pairs.resize(num_pairs);
+}
+
+//! The cheapest pairs, within 1/1024 of the range of costs; of those at the limit, the first ones.
+void SimilarMerger::choose(size_t count)
+{
+    const int BINS = 1024;
+    b_.chosen.clear();
+    for (size_t k = 0; k < b_.bands.size(); k++)
+        b_.chosen.insert(b_.chosen.end(), b_.bands[k].pairs.begin(), b_.bands[k].pairs.end());
+    unsigned lowest = UINT_MAX, highest = 0;
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+    {
+        const unsigned cost = unsigned(b_.chosen[i].price >> 32);
+        lowest = std::min(lowest, cost);
+        highest = std::max(highest, cost);
+    }
+    int shift = 0;
+    while ((highest - lowest) >> shift >= unsigned(BINS))
+        shift++;
+    b_.counts.assign(BINS, 0);
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+        b_.counts[(unsigned(b_.chosen[i].price >> 32) - lowest) >> shift]++;
+    unsigned limit = 0; // bin in which the last ones are
+    size_t rest = count;
+    for (; rest > size_t(b_.counts[limit]); limit++)
+        rest -= b_.counts[limit];
+    size_t num_chosen = 0;
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+    {
+        const MergePair pair = b_.chosen[i];
+        const unsigned bin = (unsigned(pair.price >> 32) - lowest) >> shift;
+        const bool at_limit = (bin == limit) & (rest > 0);
+        b_.chosen[num_chosen] = pair;
+        num_chosen += (bin < limit) | at_limit;
+        rest -= at_limit;
+    }
+    b_.chosen.resize(num_chosen);
+}
+
+//! Each region may go into its best neighbour, also if it is not the best one of that, the cheapest first, unless one
+//! of them went before, or the first one took in others. What many want to go into stays, so that no round does little.
+void SimilarMerger::chooseOneSided(double share, size_t most)
+{
+    const int MANY = 16;
+    std::vector<MergePair> wishes;
+    std::vector<int> votes(regions_.size(), 0);
+    for (size_t k = 0; k < b_.bands.size(); k++)
+        for (size_t i = 0; i < b_.bands[k].active.size(); i++)
         {
-            const MergeBuffers::Candidate candidate = { b_.best[i], i, to };
-            b_.candidates.push_back(candidate);
+            const int region = b_.bands[k].active[i];
+            const MergePair wish = { b_.best[region], region, neighborOf(region, b_.best[region]) };
+            wishes.push_back(wish);
+            votes[wish.to]++;
         }
-    }
-}
+    std::sort(wishes.begin(), wishes.end());
+    wishes.resize(size_t(std::ceil(share * double(wishes.size()))));
 
-//! The region that a region goes into, which stays: one that goes itself takes in only what has few neighbours.
-static int rootOf(const std::vector<int>& parents, int region)
-{
-    return parents[parents[region]];
-}
-
-//! Unites the first of the candidates.
-void SimilarMerger::unite(size_t count)
-{
-    const int n = int(b_.regions.size());
-    for (int i = 0; i < n; i++)
-        b_.parents[i] = i;
-    std::fill(b_.nexts.begin(), b_.nexts.begin() + n, -1);
-    for (size_t i = 0; i < count; i++)
-        b_.parents[b_.candidates[i].from] = b_.candidates[i].to;
-    for (size_t i = 0; i < count; i++)
+    enum { GONE = 1, TOOK = 2 };
+    std::vector<uchar> states(regions_.size(), 0);
+    b_.chosen.clear();
+    for (size_t i = 0; i < wishes.size() && b_.chosen.size() < most; i++)
     {
-        const int from = b_.candidates[i].from, root = rootOf(b_.parents, from);
-        const int original = b_.regions[from].original;
-        originals_.sums[b_.regions[root].original].add(originals_.sums[original]);
-        unions_.push_back(Vec2i(original, b_.regions[b_.candidates[i].to].original));
-        b_.nexts[from] = b_.nexts[root];
-        b_.nexts[root] = from;
-    }
-    number();
-    for (size_t i = 0; i < count; i++)
-        b_.numbers[b_.candidates[i].from] = b_.numbers[rootOf(b_.parents, b_.candidates[i].from)];
-}
-
-//! Numbers the regions that stay, in place.
-void SimilarMerger::number()
-{
-    const int n = int(b_.regions.size());
-    int count = 0;
-    for (int i = 0; i < n; i++)
-    {
-        if (b_.parents[i] != i)
+        const MergePair& wish = wishes[i];
+        if (votes[wish.from] > MANY || states[wish.from] != 0 || states[wish.to] == GONE)
             continue;
-        const int original = b_.regions[i].original;
-        if (b_.nexts[i] >= 0)
-        {
-            originals_.update(original);
-            b_.regions[i] = describe(original);
-        }
-        b_.regions[count] = b_.regions[i];
-        b_.firsts[count] = i;
-        b_.numbers[i] = count++;
+        states[wish.from] = GONE;
+        states[wish.to] = TOOK;
+        b_.chosen.push_back(wish);
     }
-    b_.regions.resize(count);
 }
 
-void applyUnions(const std::vector<Vec2i>& unions, size_t count, int num_regions, std::vector<int>& parents)
+void SimilarMerger::unite()
 {
-    parents.resize(num_regions);
-    for (int i = 0; i < num_regions; i++)
-        parents[i] = i;
-    for (size_t i = 0; i < count; i++)
-        parents[unions[i][0]] = unions[i][1];
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+        unite(b_.chosen[i]);
+    num_left_ -= int(b_.chosen.size());
+}
+
+void SimilarMerger::unite(const MergePair& pair)
+{
+    regions_.sums[pair.to].add(regions_.sums[pair.from]);
+    regions_.update(pair.to);
+    b_.records[pair.to] = describe(pair.to);
+    b_.parents[pair.from] = pair.to;
+    b_.changed[pair.to] = 1;
 }
 
 }}} // namespace

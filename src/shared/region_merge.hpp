@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
-#include "shared/neighbor_lists.hpp"
+#include "shared/merge_graph.hpp"
 #include "shared/region_distance.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -15,83 +15,76 @@ struct MergeRegion
 {
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
-    int original;  //!< its number before merging began
+    int log_area;  //!< in 1/256 of a doubling
 };
 
-//! Buffers of merging.
+//! A union that may be done in a round.
+struct MergePair
+{
+    uint64 price;
+    int from, to;
+
+    bool operator<(const MergePair& p) const { return price < p.price || (price == p.price && from < p.from); }
+};
+
+//! What a round knows of the regions of a band.
+struct MergeBand
+{
+    std::vector<int> active;      //!< that are left and have neighbours, in order
+    std::vector<MergePair> pairs;
+};
+
+//! Buffers of merging. The graph is also its input.
 struct MergeBuffers
 {
-    //! A union that may be done in a round, and its price.
-    struct Candidate
-    {
-        uint64 price;
-        int from, to;
-
-        bool operator<(const Candidate& c) const
-        {
-            return price < c.price || (price == c.price && from < c.from);
-        }
-    };
-
-    //! Of the threads that join lists.
-    struct Scratch
-    {
-        std::vector<int> positions; // by region: where it was written to a list last; they grow with the rounds
-        std::vector<int> owners;    // regions whose lists the entries of a chunk are in
-    };
-
-    std::vector<BoundaryBand> bands;
-    NeighborLists lists, last_lists;
-    std::vector<MergeRegion> regions;
-    std::vector<uint64> best;         // of each region: price of the cheapest union
-    std::vector<Candidate> candidates;
-    std::vector<int> parents;         // the region that takes a region in, or itself
-    std::vector<int> numbers;         // after the round
-    std::vector<int> firsts, nexts;   // chains of the regions that become one
-    std::vector<Scratch> scratch;
-    int first_position = 1;           // of the lists of this round
+    MergeGraph graph;
+    std::vector<MergeBand> bands;
+    std::vector<MergeRegion> records;
+    std::vector<uint64> best;       // of each region: the price of its cheapest union
+    std::vector<int> parents;       // the region that took each one in, or itself
+    std::vector<uchar> changed;     // took in others in this round
+    std::vector<MergePair> chosen;
+    std::vector<int> table, counts;
 };
 
 //! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
 class SimilarMerger
 {
 public:
-    //! The exponents, in 1/16, are how much a long common boundary and a high one count.
+    //! The exponents, in 1/16, are how much a long common boundary and a high one count. The graph of the buffers must
+    //! have been built of the regions, with contrasts if these count.
     SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                   MergeBuffers& buffers, Regions& regions);
 
-    //! Merges the regions of a label map until num_regions are left, or none has a neighbour.
-    void run(const Mat& labels, int num_regions);
+    //! Merges until num_regions are left, or none has a neighbour.
+    void run(int num_regions);
 
-    //! The same until none has a neighbour, with the lists of the buffers, and so that any number on the way is as good.
-    void runToTheEnd();
+    //! Merges until none has a neighbour, so that any number on the way is as good. Returns what was merged, in order:
+    //! a region and the one that took it in.
+    std::vector<Vec2i> runToTheEnd();
 
-    //! What was merged, in order: a region and the one that took it in.
-    const std::vector<Vec2i>& unions() const { return unions_; }
+    //! The region that took each one in, or itself.
+    const std::vector<int>& parents() const { return b_.parents; }
 
 private:
-    MergeRegion describe(int original) const;
     void start();
-    void runRounds(int num_regions, double share_far);
-    void placeLists();
-    void joinLists();
-    template <bool CONTRAST> void joinLists(const Range& regions, MergeBuffers::Scratch& scratch);
-    template <bool CONTRAST> int joinList(int region, int* positions, int* owners);
-    template <bool CONTRAST> void findBest(int first, int last, const int* owners);
-    void measureDistances(int first, int count, const int* owners, int* parts) const;
-    void findCandidates();
-    void unite(size_t count);
-    void number();
+    MergeRegion describe(int region) const;
+    bool runRound(int num_wanted, bool in_order);
+    void evaluate();
+    template <bool CONTRAST> void evaluate(EdgeList& list);
+    void findPairs();
+    void findPairs(int band);
+    void choose(size_t count);
+    void chooseOneSided(double share, size_t most);
+    void unite();
+    void unite(const MergePair& pair);
 
     const RegionDistance distance_;
     const int length_exponent_, contrast_exponent_;
-    Regions& originals_;
     MergeBuffers& b_;
-    std::vector<Vec2i> unions_;
+    Regions& regions_;
+    int num_left_;
 };
-
-//! The region that took each one in, or itself, after the first of the unions.
-void applyUnions(const std::vector<Vec2i>& unions, size_t count, int num_regions, std::vector<int>& parents);
 
 }}} // namespace
 

@@ -13,14 +13,14 @@ namespace cv { namespace ximgproc { namespace gws {
 enum RegionLabel
 {
     UNSEEN = -1,       //!< not reached by any region
-    OUTSIDE = INT_MIN  //!< around the image, outside of the mask, and what no marker reached
+    OUTSIDE = INT_MIN  //!< around the image, outside of the mask, or not reached by any marker
 };
 
 //! Means over the pixels of a region, in 1/16 of a level.
 struct RegionMean
 {
     short color[3];
-    short depth; //!< NO_DEPTH if no pixel has any
+    short depth; //!< NO_DEPTH if no pixel has depth
 
     enum { NO_DEPTH = -1 };
 };
@@ -39,7 +39,7 @@ struct RegionSum
     int64 color[3], depth;
     int area, depth_area; //!< pixels, and pixels with depth
 
-    //! Adds a pixel, or takes it away where times is -1.
+    //! Adds a pixel, or removes it if times is -1.
     void add(const Feature& f, int times = 1)
     {
         for (int k = 0; k < 3; k++)
@@ -69,7 +69,7 @@ struct RegionSum
     }
 
 private:
-    static const int64 FIXED_ONE = int64(1) << 48; // sums in 1/16 of a level times it, over the area, fit into 64 bits
+    static const int64 FIXED_ONE = int64(1) << 48; // 16 * sum / area * FIXED_ONE fits into 64 bits
 
     static short divide(int64 sum, int64 reciprocal)
     {
@@ -77,8 +77,8 @@ private:
     }
 };
 
-//! The regions of an image. Means lie apart from the sums, because the loops over pixels read no
-//! more, and change when update() is called.
+//! The regions of an image. Means are kept apart from the sums because loops over pixels read only them. They
+//! change when update() is called.
 struct Regions
 {
     std::vector<RegionMean> means;
@@ -95,7 +95,9 @@ struct Regions
         resize(n);
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
-    //! From sums over blocks to sums over the 2x2 blocks or pixels in them, whose mean they are.
+    //! From sums over blocks to sums over the 2x2 elements in each block. A block is their mean, so sums become four
+    //! times
+//! as large.
     void divideBlocks()
     {
         for (int i = 0; i < size(); i++)
@@ -104,7 +106,7 @@ struct Regions
             for (int k = 0; k < 3; k++)
                 sum.color[k] *= 4;
             sum.depth *= 4;
-            sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // at odd borders there are fewer pixels
+            sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // less at odd borders
             sum.depth_area = int(std::min<int64>(4 * int64(sum.depth_area), INT_MAX));
         }
     }
@@ -116,7 +118,7 @@ struct Regions
     }
 };
 
-//! Regions measured anew; labels below 0 do not count.
+//! Computes sums and means of all regions. Labels below 0 do not count.
 void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions);
 
 }}} // namespace

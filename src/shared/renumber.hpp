@@ -9,11 +9,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! New number of each region: those that are left, which are their own parents, are numbered from 0 in the
-//! order of the first region in them. Returns how many are left.
+//! Gives each region the number of the region that it was merged into. The regions that are left are their own parents.
+//! They are numbered from 0, in the order of the lowest old number in each. Returns how many are left.
 int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers);
 
-//! Replaces each label by its number; what is below 0 stays.
+//! Replaces each label by its number. Labels below 0 stay.
 void renumber(const std::vector<int>& numbers, Mat& labels);
 
 }}} // namespace

@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Pixels beyond the window, in a cell that is not convex, come last.
+//! If no point is in the disc, as in a region that is not convex, the point nearest to the centre is taken.
 Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part)
 {
     const int64 area = end - begin;
@@ -25,18 +25,18 @@ Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, in
     for (PointIterator p = begin; p != end; ++p)
     {
         const int64 dx = p->x - center.x, dy = p->y - center.y, away = dx * dx + dy * dy;
-        const int height = away <= near_enough ? gradient.at<ushort>(*p) : INT_MAX;
-        if (height < best_gradient || (height == best_gradient && away < best_away))
+        const int value = away <= near_enough ? gradient.at<ushort>(*p) : INT_MAX;
+        if (value < best_gradient || (value == best_gradient && away < best_away))
         {
             best = *p;
             best_away = away;
-            best_gradient = height;
+            best_gradient = value;
         }
     }
     return best;
 }
 
-//! Sorts by columns, keeping the order within a column.
+//! Sorts by columns. Points of a column keep their order.
 static void sortByColumns(PointIterator begin, PointIterator end, std::vector<Point>& sorted)
 {
     int left = INT_MAX, right = 0;
@@ -60,7 +60,7 @@ static bool isLeftOf(Point a, Point b)
     return a.x < b.x;
 }
 
-//! In cells of equal area, about square, rows of cells one below the other.
+//! Divides the region into rows of cells. All cells have the same area and are nearly square.
 void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n,
                    std::vector<Point>& markers)
 {
@@ -107,7 +107,7 @@ void listPoints(const Mat& labels, int first, int num_regions, MarkerBuffers& bu
     }
 }
 
-//! Each component has one marker, and of the others a share in proportion to its area.
+//! Each component gets one marker. The other markers are shared out in proportion to the areas.
 void placeShapeMarkers(const Mat& gradient, const Mat& mask, int num_markers, MarkerBuffers& buffers,
                        std::vector<Point>& markers)
 {

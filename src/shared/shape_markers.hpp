@@ -9,7 +9,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Buffers for placing markers in regions.
+//! Buffers for placing markers in regions of any shape.
 struct MarkerBuffers
 {
     Mat components;
@@ -24,14 +24,15 @@ void placeShapeMarkers(const Mat& gradient, const Mat& mask, int num_markers, Ma
 
 typedef std::vector<Point>::iterator PointIterator;
 
-//! The points of the regions first, first + 1..., in raster order; those of region first + i begin at starts[i].
+//! Lists the points of the regions first, first + 1..., each in raster order. Those of region first + i begin at
+//! starts[i].
 void listPoints(const Mat& labels, int first, int num_regions, MarkerBuffers& buffers);
 
-//! The smallest gradient in the window around the centre of the points whose side is a part of that of the region;
-//! of equal ones the nearest to the centre.
+//! The point with the smallest gradient in a disc around the centre of the points; of equal ones the nearest to the
+//! centre. The area of the disc is about that of the region divided by part^2.
 Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part);
 
-//! Places n markers, n <= number of points, among points in raster order.
+//! Places n markers in a region whose points are in raster order. n <= number of points.
 void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n, std::vector<Point>& markers);
 
 }}} // namespace

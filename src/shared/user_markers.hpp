@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Numbers the positive values of a CV_32SC1 map of markers, inside of the mask if that is not empty, from
-//! 0 in their order; all else becomes -1. Returns how many there are.
+//! Numbers the different positive values of a CV_32SC1 map from 0, in their order. All other pixels, and those
+//! outside of the mask if it is not empty, become -1. Returns how many values there are.
 int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 
 }}} // namespace

@@ -9,7 +9,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Whether a value of a depth map is a depth: 0, and of floats what is below 0, infinite or NaN, is missing.
+//! Whether depth is known. It is missing where it is 0 and, in float, where it is negative, infinite or NaN.
 inline bool isValidDepth(uchar depth) { return depth != 0; }
 inline bool isValidDepth(ushort depth) { return depth != 0; }
 inline bool isValidDepth(float depth) { return depth > 0 && depth <= FLT_MAX; }

@@ -23,7 +23,7 @@ private:
     uint64 state_;
 };
 
-//! FEW_COLORS are ones between which the means of superpixels often lie half way.
+//! With FEW_COLORS, pixels often lie exactly half way between the means of two superpixels.
 enum ImageKind { SCENE, NOISE, FLAT, STRIPES, RAMP, FEW_COLORS, IMAGE_KINDS };
 
 //! What an image shows; the same for all frames of a sequence.
@@ -35,7 +35,7 @@ struct Scene
     int motion; //!< pixels from frame to frame
 };
 
-//! CV_8U, CV_16U or CV_32F with any number of channels; some float values are NaN or beyond black and white.
+//! CV_8U, CV_16U or CV_32F with any number of channels; some float values are NaN, below 0 or above 1.
 cv::Mat makeImage(const Scene& scene, int frame, int type);
 //! CV_8UC1, CV_16UC1 in millimetres or CV_32FC1 in metres, with missing values.
 cv::Mat makeDepth(const Scene& scene, int frame, int type);

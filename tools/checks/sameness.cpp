@@ -57,7 +57,7 @@ static void addResults(const SuperpixelGWatershed& gws, const Mat& image, const 
         hash.add(out[i]);
 }
 
-//! Settings that RGWATERSHED and GWATERSHED take turns in; all else is drawn.
+//! The two algorithms alternate from case to case. All other settings are random.
 static Ptr<SuperpixelGWatershed> makeObject(int number, Size size, Numbers& numbers)
 {
     const float rulers[] = { 0, 0.3f, 1, 5, 10, 10, 20, 40 }, alphas[] = { 0, 0.25f, 0.3f, 0.5f, 0.5f, 0.7f, 1 };

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Measures memory, segments very large images, lets memory run out, and segments a stream of changing frames for a
-// while. For Linux. scripts/scale.sh builds and runs it. The last line is "N passed, N failed".
+// Measures memory, times images of extreme shape, segments very large images, lets memory run out, and segments a
+// stream of changing frames for a while. For Linux. scripts/scale.sh builds and runs it. The last line is "N passed, N
+// failed".
 
 #include "images.hpp"
 
@@ -55,7 +56,7 @@ static double residentMemory()
     return readStatus("VmRSS");
 }
 
-//! Starts the measurement of the peak, which is VmHWM, anew.
+//! Resets the peak of memory, VmHWM.
 static void forgetPeak()
 {
     std::ofstream("/proc/self/clear_refs") << 5;
@@ -174,7 +175,7 @@ static void segmentLargest(int side)
     }
 }
 
-//! As many pixels as an index can name, of which a mask leaves the last corner.
+//! The largest image. A mask leaves only its last corner inside.
 static void segmentCorner()
 {
     const int side = 46338;
@@ -262,12 +263,79 @@ static void runOutOfMemory()
     }
 }
 
+//! Processor time of a call in seconds.
+template <typename Call>
+static double timeOf(const Call& call)
+{
+    const clock_t start = clock();
+    call();
+    return double(clock() - start) / CLOCKS_PER_SEC;
+}
+
+static Mat makeNoise(Size size)
+{
+    const Scene noise = { NOISE, size, 1, 0 };
+    return makeImage(noise, 0, CV_8UC3);
+}
+
+//! A strip takes about as long as a square of its area, whatever the number of superpixels.
+static void timeStrips()
+{
+    const Size sizes[] = { Size(70000, 1), Size(1, 70000), Size(70000, 2), Size(3, 40000), Size(300000, 1) };
+    for (int i = 0; i < 10; i++)
+    {
+        const Size size = sizes[i / 2];
+        const int side = cvRound(std::sqrt(double(size.area())));
+        const Mat strip = makeNoise(size), square = makeNoise(Size(side, side));
+        double of_strip = 0, of_square = 0;
+        for (int region_size = 1; region_size <= 70000; region_size = region_size * 7 + 1)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(strip, ALGORITHMS[i % 2], region_size);
+            of_strip += timeOf([&] { gws->iterate(); });
+            gws->setDesiredSuperpixels(gws->getNumberOfSuperpixels());
+            of_square += timeOf([&] { gws->iterate(square); });
+        }
+        check(of_strip < 20 * of_square, // rows have a price, too
+              format("%s, %d x %d in linear time: %.1f times that of a square", nameOf(ALGORITHMS[i % 2]), size.width,
+                     size.height, of_strip / of_square));
+    }
+}
+
+//! Tables and merging of superpixels of one pixel, without and with another one that lies between all of them.
+static void timeNeighbours()
+{
+    const int SIDE = 320;
+    const Mat image = makeNoise(Size(2 * SIDE, 2 * SIDE));
+    for (int i = 0; i < 2; i++)
+    {
+        double seconds[2];
+        for (int between = 0; between < 2; between++)
+        {
+            Mat markers(image.size(), CV_32SC1, Scalar(between)), pairs, lengths;
+            for (int k = 0; k < SIDE * SIDE; k++)
+                markers.at<int>(2 * (k / SIDE) + 1, 2 * (k % SIDE) + 1) = k + 2;
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, ALGORITHMS[i]);
+            gws->setMarkers(markers);
+            gws->iterate();
+            seconds[between] = timeOf([&] {
+                gws->getAdjacency(noArray(), noArray(), pairs, lengths);
+                gws->mergeSimilar(1);
+                gws->iterate();
+                gws->enforceLabelConnectivity(100);
+            });
+        }
+        check(seconds[1] < 5 * seconds[0],
+              format("%s, a superpixel with %d neighbours: %.1f times the time without it", nameOf(ALGORITHMS[i]),
+                     SIDE * SIDE, seconds[1] / seconds[0]));
+    }
+}
+
 struct StreamFrame
 {
     Mat image, depth, mask, markers;
 };
 
-//! One frame of the stream, and what one does with it.
+//! One frame of the stream, and all calls for it.
 static void segmentFrame(const StreamFrame& frame, int region_size, Numbers& numbers, SuperpixelGWatershed& gws)
 {
     gws.setRegionSize(region_size);
@@ -345,6 +413,8 @@ int main(int argc, char** argv)
     setNumThreads(1);
     mallopt(M_MMAP_THRESHOLD, 1 << 16); // else memory that was given back would still be in the address space
     runOutOfMemory();
+    timeStrips();
+    timeNeighbours();
     measureMemory(4000, 20);
     measureMemory(1000, 3);
     soak(parser.get<int>("soak"));

@@ -11,7 +11,7 @@
 #include <climits>
 #include <vector>
 
-//! What the documentation of SuperpixelGWatershed promises, computed a second time in the plainest way.
+//! What the documentation of SuperpixelGWatershed promises, computed again in the simplest way.
 namespace fuzz
 {
 

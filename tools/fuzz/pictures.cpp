@@ -161,7 +161,7 @@ Mat changeScene(const Mat& scene, Bytes& bytes)
     return next;
 }
 
-//! Puts values into floats that are none or far from the others.
+//! Puts NaN, infinity and extreme values into a float matrix.
 static void writeSpecials(Mat& floats, Bytes& bytes)
 {
     const float specials[] = { NOT_A_NUMBER, INFINITE, -INFINITE, 0.f, -3.f, 7.f, FLT_MAX, -FLT_MAX, 1e-42f };

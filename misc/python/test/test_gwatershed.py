@@ -40,7 +40,7 @@ METHODS = {
     "getRuler": ["() -> retval"],
     "setAlpha": ["(alpha) -> None"],
     "getAlpha": ["() -> retval"],
-    "setLabInput": ["(uniform) -> None"],
+    "setLabInput": ["(lab_input) -> None"],
     "getLabInput": ["() -> retval"],
     "setTemporal": ["(temporal) -> None"],
     "getTemporal": ["() -> retval"],

@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_PLAN_HPP
+#define OPENCV_GWATERSHED_PLAN_HPP
+
+#include "rgwatershed/boundary_sweep.hpp"
+#include "shared/frame.hpp"
+#include "shared/mask_pyramid.hpp"
+#include "shared/parameters.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! All that a call decides before it looks at a pixel.
+struct Plan
+{
+    //! masks are those of the frame, built up to MAX_LEVEL, or not used if the frame has no mask.
+    Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks);
+
+    //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
+    int floodRuler(double num_blocks, int num_markers_there) const;
+
+    int level;              //!< of the pyramid, whose blocks are flooded; 0 for markers of the user
+    double blocks;          //!< of that level, inside of the mask
+    int num_superpixels;    //!< that merging leaves on that level
+    int num_markers;
+    int band_height;        //!< rows of blocks, at least, that are flooded by themselves
+    float ruler;
+    int length_exponent;    //!< of merging, in 1/16
+    RegionDistance flood_distance;       //!< leads in finding regions
+    BoundaryEnergy energy_before_merging, energy; //!< lead in settling boundaries
+};
+
+}}} // namespace
+
+#endif

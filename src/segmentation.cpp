@@ -1,0 +1,34 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "segmentation.hpp"
+#include "shared/mask_pyramid.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+Mask::Mask(const Mat& pixels_)
+    : pixels(pixels_.empty() ? Mat() : Mat(pixels_ != 0)), bounds(pixels.empty() ? Rect() : findBounds(pixels)),
+      area(pixels.empty() ? 0 : countNonZero(pixels))
+{
+}
+
+bool Mask::operator==(const Mask& other) const
+{
+    return pixels.size() == other.pixels.size() && (empty() || countNonZero(pixels != other.pixels) == 0);
+}
+
+void Segmentation::start(Size size, const Parameters& parameters_, const Mask& mask_)
+{
+    complete = false;
+    number = 0;
+    hierarchy = MergeHierarchy();
+    parameters = parameters_;
+    mask = mask_;
+    bounds = mask.empty() ? Rect(Point(), size) : mask.bounds;
+    labels.create(size, CV_32SC1);
+    if (bounds.size() != size)
+        labels.setTo(Scalar(-1));
+}
+
+}}} // namespace
