@@ -12,21 +12,22 @@ Mat convertImage(const Mat& image, Mat& buffer)
     CV_TRACE_FUNCTION();
     if (image.depth() == CV_8U)
         return image;
-    if (image.depth() == CV_16U)
-    {
-        image.convertTo(buffer, CV_8U, 255. / 65535);
-        return buffer;
-    }
     buffer.create(image.size(), CV_8UC(image.channels()));
     parallel_for_(Range(0, image.rows), [&](const Range& range)
     {
         Mat row; // NaN and large values are replaced, because they cannot be rounded to integers
         for (int y = range.start; y < range.end; y++)
         {
+            Mat to = buffer.row(y);
+            if (image.depth() == CV_16U)
+            {
+                image.row(y).convertTo(to, CV_8U, 255. / 65535);
+                continue;
+            }
             image.row(y).copyTo(row);
             patchNaNs(row, 0);
             threshold(row, row, 1, 1, THRESH_TRUNC);
-            row.convertTo(buffer.row(y), CV_8U, 255);
+            row.convertTo(to, CV_8U, 255);
         }
     });
     return buffer;

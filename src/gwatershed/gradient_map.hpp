@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Sobel magnitude of gray and depth, combined by alpha (in 1/256). CV_16UC1, 0..1443.
-void computeGradientMap(const Mat& color, const Mat& depth, int alpha, Mat& gray, Mat& gradient);
+//! Sobel magnitude of the gray image and of depth, weighted by alpha in 1/256: CV_16UC1, 0..1443.
+void computeGradientMap(const Mat& color, const Mat& depth, int alpha, Mat& gradient);
 
 }}} // namespace
 

@@ -32,11 +32,11 @@ public:
     Padded<Feature> features(bool lab_input) const;
 
 private:
-    Mat gray_, gradient_;
+    Mat color_, depth_; // of the last run
+    Mat gradient_;
     std::vector<Point> markers_;
     MarkerBuffers marker_buffers_;
     Mat last_labels_;
-    int channels_ = 0; // of the last image, without alpha
     PixelMap pixels_;
     PixelFloodBuffers flood_buffers_;
     LineBuffers line_buffers_;

@@ -20,10 +20,9 @@ struct PixelFloodBuffers
     std::vector<int> batch;
 };
 
-//! Algorithm 1: floods from the pixels that have a label. Leaves LINE and UNLABELLED pixels.
-//! A pixel whose gradient is not below border_threshold becomes a LINE, unless the threshold is 0.
-void floodFromMarkers(const Mat& gradient, float border_threshold, int alpha, PixelMap& pixels,
-                                 PixelFloodBuffers& buffers);
+//! Algorithm 1: floods from the pixels that have a label, and those beside them, which are IN_QUEUE. Leaves LINE and
+//! UNLABELLED pixels.
+void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers);
 
 }}} // namespace
 

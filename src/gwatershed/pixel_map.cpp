@@ -3,32 +3,135 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "gwatershed/pixel_map.hpp"
+#include "shared/mask_pyramid.hpp"
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! cn is the number of channels. A gray image has one, which becomes all three colours.
-static void packRow(const uchar* color, int cn, const uchar* depth, FloodPixel* pixels, int cols)
+enum { STRIDE = 16 }; // pixels that are compared at once
+
+//! Colours of 16 pixels, by channel.
+struct Colors
 {
-    const int green = cn == 1 ? 0 : 1, red = cn == 1 ? 0 : 2;
-    for (int x = 0; x < cols; x++, color += cn)
+    Colors(const uchar* color, int channels)
     {
-        const Pixel pixel = { color[0], color[green], color[red], depth ? depth[x] : uchar(0) };
-        pixels[x].state = UNLABELLED;
-        pixels[x].value = pixel;
+        if (channels == 1)
+            b = g = r = v_load(color);
+        else if (channels == 3)
+            v_load_deinterleave(color, b, g, r);
+        else
+        {
+            v_uint8x16 transparency;
+            v_load_deinterleave(color, b, g, r, transparency);
+        }
+    }
+    v_uint8x16 b, g, r;
+};
+
+//! Equation (1), of 16 pairs of pixels.
+static inline void compareColors(const uchar* p, const uchar* q, int channels, uchar* distances)
+{
+    const Colors a(p, channels), b(q, channels);
+    v_store(distances, v_max(v_max(v_absdiff(a.b, b.b), v_absdiff(a.g, b.g)), v_absdiff(a.r, b.r)));
+}
+
+//! Equation (1), of n pairs of pixels.
+static void compareColors(const uchar* p, const uchar* q, int channels, int n, uchar* distances)
+{
+    int x = 0;
+    for (; x <= n - STRIDE; x += STRIDE)
+        compareColors(p + size_t(x) * channels, q + size_t(x) * channels, channels, distances + x);
+    if (x == n)
+        return;
+    uchar last_p[4 * STRIDE] = {}, last_q[4 * STRIDE] = {}, last[STRIDE];
+    memcpy(last_p, p + size_t(x) * channels, size_t(n - x) * channels);
+    memcpy(last_q, q + size_t(x) * channels, size_t(n - x) * channels);
+    compareColors(last_p, last_q, channels, last);
+    memcpy(distances + x, last, n - x);
+}
+
+//! Equation (3), where both pixels have depth.
+static void weighDepth(const uchar* p, const uchar* q, int n, int alpha, uchar* distances)
+{
+    for (int x = 0; x < n; x++)
+    {
+        const int depth = std::abs(p[x] - q[x]);
+        const int weighed = (alpha * distances[x] + (256 - alpha) * depth + 128) >> 8;
+        distances[x] = uchar((p[x] != 0) & (q[x] != 0) ? weighed : distances[x]);
     }
 }
 
-void makePixelMap(const Mat& color, const Mat& depth, PixelMap& pixels)
+//! Compares the pixels of two rows, or of one row with those beside them.
+class RowComparison
+{
+public:
+    RowComparison(const Mat& color, const Mat& depth, int alpha) : color_(color), depth_(depth), alpha_(alpha) {}
+
+    //! distances: of the pixel at the left, and the frame at both ends, in cols + 1 elements.
+    void compareBeside(int y, uchar* distances) const
+    {
+        const uchar* row = color_.ptr(y);
+        const uchar* depth = depth_.empty() ? 0 : depth_.ptr(y);
+        distances[0] = distances[color_.cols] = 0;
+        compare(row, row + color_.channels(), depth, depth + 1, color_.cols - 1, distances + 1);
+    }
+
+    //! To the row above; nothing is compared at the borders of the image.
+    void compareAbove(int y, uchar* distances) const
+    {
+        if (y > 0 && y < color_.rows)
+            compare(color_.ptr(y - 1), color_.ptr(y), depth_.empty() ? 0 : depth_.ptr(y - 1),
+                    depth_.empty() ? 0 : depth_.ptr(y), color_.cols, distances);
+        else
+            std::fill_n(distances, color_.cols, uchar(0));
+    }
+
+private:
+    void compare(const uchar* p, const uchar* q, const uchar* depth_p, const uchar* depth_q, int n,
+                 uchar* distances) const
+    {
+        compareColors(p, q, color_.channels(), n, distances);
+        if (depth_p)
+            weighDepth(depth_p, depth_q, n, alpha_, distances);
+    }
+
+    const Mat& color_;
+    const Mat& depth_;
+    const int alpha_;
+};
+
+//! beside: distances of the pixels of a row to those at the left, and one more.
+static void packRow(const uchar* beside, const uchar* above, const uchar* below, const ushort* gradient, int threshold,
+                    int cols, FloodPixel* to)
+{
+    for (int x = 0; x < cols; x++)
+    {
+        const bool is_line = (gradient[x] >= threshold) & (gradient[x] != UNKNOWN_GRADIENT);
+        to[x].state = is_line * LINE;
+        to[x].distances = beside[x] | above[x] << 8 | beside[x + 1] << 16 | unsigned(below[x]) << 24;
+    }
+}
+
+void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
+                  PixelMap& pixels)
 {
     CV_TRACE_FUNCTION();
-    const FloodPixel frame = { FRAME, { 0, 0, 0, 0 } };
+    const int BAND = 32, cols = color.cols;
+    const int threshold = border_threshold > 0 ? cvCeil(std::min(border_threshold, 65535.f)) : 65535;
+    const RowComparison rows(color, depth, alpha);
+    const FloodPixel frame = { FRAME, 0 };
     pixels.create(color.size(), frame);
-    parallel_for_(Range(0, color.rows), [&](const Range& range)
+    parallel_for_(Range(0, (color.rows + BAND - 1) / BAND), [&](const Range& bands)
     {
-        for (int y = range.start; y < range.end; y++)
+        std::vector<uchar> beside(cols + 1), above(cols), below(cols);
+        const int first = bands.start * BAND, end = std::min(bands.end * BAND, color.rows);
+        rows.compareAbove(first, above.data());
+        for (int y = first; y < end; y++)
         {
-            const uchar* depth_row = depth.empty() ? 0 : depth.ptr(y);
-            packRow(color.ptr(y), color.channels(), depth_row, pixels.row(y), color.cols);
+            rows.compareBeside(y, beside.data());
+            rows.compareAbove(y + 1, below.data());
+            packRow(beside.data(), above.data(), below.data(), gradient.ptr<ushort>(y), threshold, cols, pixels.row(y));
+            above.swap(below);
         }
     });
 }
@@ -41,10 +144,20 @@ void closeOutside(const Mat& mask, PixelMap& pixels)
                 pixels.row(y)[x].state = FRAME;
 }
 
+static void labelPixel(int p, int label, PixelMap& pixels)
+{
+    pixels.data()[p].state = label;
+    for (int k = 0; k < 4; k++)
+    {
+        int& state = pixels.data()[p + pixels.neighbors()[k]].state;
+        state = state == UNLABELLED ? int(IN_QUEUE) : state;
+    }
+}
+
 void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels)
 {
     for (size_t i = 0; i < markers.size(); i++)
-        pixels.row(markers[i].y)[markers[i].x].state = int(i) + 1;
+        labelPixel(pixels.index(markers[i]), int(i) + 1, pixels);
 }
 
 void labelMarkers(const Mat& markers, PixelMap& pixels)
@@ -52,7 +165,7 @@ void labelMarkers(const Mat& markers, PixelMap& pixels)
     for (int y = 0; y < markers.rows; y++)
         for (int x = 0; x < markers.cols; x++)
             if (markers.at<int>(y, x) >= 0)
-                pixels.row(y)[x].state = markers.at<int>(y, x) + 1;
+                labelPixel(pixels.index(Point(x, y)), markers.at<int>(y, x) + 1, pixels);
 }
 
 void extractLabels(PixelMap& pixels, Mat& labels)

@@ -6,33 +6,33 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Label of the neighbour at the smallest distance, of equal ones the first of left, top, right, bottom. UNLABELLED
-//! if no neighbour has a label.
-static int nearestLabel(const FloodPixel* pixel, const Vec4i& neighbors, int alpha)
+//! Label of the nearest labelled neighbour by distance, the first of left, top, right, bottom if
+//! equal; UNLABELLED if none has a label.
+static inline int nearestLabel(const FloodPixel* pixel, int step)
 {
+    const int offsets[4] = { -1, -step, 1, step };
     int label = UNLABELLED, smallest = INT_MAX;
     for (int k = 0; k < 4; k++)
     {
-        const FloodPixel& neighbor = pixel[neighbors[k]];
-        const int away = distance(pixel->value, neighbor.value, alpha);
-        const bool nearer = (neighbor.state > 0) & (away < smallest);
+        const int state = pixel[offsets[k]].state, away = pixel->distance(k);
+        const bool nearer = (state > 0) & (away < smallest);
         smallest = nearer ? away : smallest;
-        label = nearer ? neighbor.state : label;
+        label = nearer ? state : label;
     }
     return label;
 }
 
-//! All pixels without a label, in raster order.
-static void collectLines(PixelMap& map, std::vector<int>& lines)
+//! All pixels of some rows without a label, in raster order.
+static void collectLines(const PixelMap& map, const Range& rows, std::vector<int>& lines)
 {
-    const Size size = map.size();
+    const int width = map.size().width;
+    lines.resize(size_t(width) * rows.size());
     size_t count = 0;
-    for (int y = 0; y < size.height; y++)
+    for (int y = rows.start; y < rows.end; y++)
     {
         const FloodPixel* row = map.row(y);
         const int first = map.index(Point(0, y));
-        lines.resize(std::max(lines.size(), count + size.width));
-        for (int x = 0; x < size.width; x++) // no unpredictable branch: an entry that is no line is overwritten
+        for (int x = 0; x < width; x++) // without a branch that no one could foresee: the next one goes over it
         {
             lines[count] = first + x;
             count += (row[x].state <= 0) & (row[x].state != FRAME);
@@ -41,43 +41,86 @@ static void collectLines(PixelMap& map, std::vector<int>& lines)
     lines.resize(count);
 }
 
-//! In each round, all pixels that have a labelled neighbour at its start get a label. Wide lines, and the pixels that
-//! they enclose, take several rounds. The order within a round does not matter: no pixel sees the new label of
-//! another.
-//! @note Not in the paper, whose result has lines.
-void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers)
+//! Labels for some pixels, as the map is.
+static void chooseLabels(const PixelMap& map, const Range& range, const std::vector<int>& lines,
+                         std::vector<int>& labels)
+{
+    for (int i = range.start; i < range.end; i++)
+        labels[i] = nearestLabel(map.data() + lines[i], map.step());
+}
+
+//! Gives the pixels their labels; those that have none yet go to rest.
+static void setLabels(const std::vector<int>& lines, const std::vector<int>& labels, PixelMap& map,
+                      std::vector<int>& rest)
+{
+    rest.clear();
+    for (size_t i = 0; i < lines.size(); i++)
+        if (labels[i] != UNLABELLED)
+            map.data()[lines[i]].state = labels[i];
+        else
+            rest.push_back(lines[i]);
+}
+
+//! The first round, of all lines. Each band chooses by itself, before any pixel changes. The pixels of the next round
+//! are those that have a labelled neighbour now.
+static void labelThinLines(PixelMap& map, LineBuffers& buffers)
+{
+    const int BAND = 32, height = map.size().height;
+    std::vector<LineBuffers::Band>& bands = buffers.bands;
+    bands.resize((height + BAND - 1) / BAND);
+    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+        {
+            collectLines(map, Range(i * BAND, std::min((i + 1) * BAND, height)), bands[i].lines);
+            bands[i].labels.resize(bands[i].lines.size());
+            chooseLabels(map, Range(0, int(bands[i].lines.size())), bands[i].lines, bands[i].labels);
+        }
+    });
+    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            setLabels(bands[i].lines, bands[i].labels, map, bands[i].rest);
+    });
+    buffers.round.clear();
+    for (size_t i = 0; i < bands.size(); i++)
+        for (size_t j = 0; j < bands[i].rest.size(); j++)
+            if (nearestLabel(map.data() + bands[i].rest[j], map.step()) != UNLABELLED)
+            {
+                map.data()[bands[i].rest[j]].state = IN_QUEUE;
+                buffers.round.push_back(bands[i].rest[j]);
+            }
+}
+
+//! @note The paper ends with the lines. Here each round gives a label to all pixels that have a
+//! labelled neighbour when it begins; wide lines, and what they enclose, take several rounds. The
+//! pixels of a round need not be sorted, because none of them sees what the others get.
+void absorbLines(PixelMap& map, LineBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
-    FloodPixel* pixels = map.data();
-    const Vec4i neighbors = map.neighbors();
-    std::vector<int>& lines = buffers.lines;
     std::vector<int>& round = buffers.round;
-    std::vector<int>& chosen = buffers.chosen;
+    std::vector<int>& labels = buffers.labels;
     std::vector<int>& later = buffers.later;
-    collectLines(map, lines);
-
-    for (round = lines; !round.empty(); round.swap(later))
+    for (labelThinLines(map, buffers); !round.empty(); round.swap(later))
     {
-        chosen.resize(round.size());
+        labels.resize(round.size());
         parallel_for_(Range(0, int(round.size())), [&](const Range& range)
         {
-            for (int i = range.start; i < range.end; i++)
-                chosen[i] = nearestLabel(pixels + round[i], neighbors, alpha);
+            chooseLabels(map, range, round, labels);
         });
         for (size_t i = 0; i < round.size(); i++)
-            if (chosen[i] != UNLABELLED)
-                pixels[round[i]].state = chosen[i];
+            map.data()[round[i]].state = labels[i];
 
         later.clear();
         for (size_t i = 0; i < round.size(); i++)
-            for (int k = 0; k < 4 && chosen[i] != UNLABELLED; k++)
+            for (int k = 0; k < 4; k++)
             {
-                const int a = round[i] + neighbors[k];
-                if (pixels[a].state == LINE || pixels[a].state == UNLABELLED)
-                {
-                    pixels[a].state = IN_QUEUE;
-                    later.push_back(a);
-                }
+                const int a = round[i] + map.neighbors()[k];
+                int& state = map.data()[a].state;
+                if (state != LINE && state != UNLABELLED)
+                    continue;
+                state = IN_QUEUE;
+                later.push_back(a);
             }
     }
 }

@@ -9,16 +9,21 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Lists of pixels, by index.
+//! Indices of pixels, and labels.
 struct LineBuffers
 {
-    std::vector<int> lines; //!< all that the flood left without a label
-    std::vector<int> round, later; // pixels that get a label in this round, and later
-    std::vector<int> chosen; // labels for the pixels of the round
+    struct Band
+    {
+        std::vector<int> lines; //!< all that the flood left without a label in some rows
+        std::vector<int> labels, rest;
+    };
+    std::vector<Band> bands;
+    std::vector<int> round, later; // pixels that are given a label now, and next
+    std::vector<int> labels;       // of a round
 };
 
 //! Gives every pixel without a label to a neighbour.
-void absorbLines(int alpha, PixelMap& map, LineBuffers& buffers);
+void absorbLines(PixelMap& map, LineBuffers& buffers);
 
 }}} // namespace
 

@@ -14,6 +14,8 @@ static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
 struct FeatureContrast
 {
+    enum { COUNTS = 1 };
+
     int operator()(Point p, Point q) const
     {
         return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));

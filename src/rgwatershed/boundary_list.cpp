@@ -6,146 +6,154 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-template <typename T> static T* roomFor(size_t n, std::vector<T>& buffer)
+// The lists are made without unpredictable branches: every pixel is written, and the next one overwrites what does not
+// belong to the list.
+
+void BoundaryList::begin(int first_row)
 {
-    buffer.resize(std::max(buffer.size(), n));
-    return buffer.data();
+    first_row_ = first_row;
+    for (int c = 0; c < NUM_CLASSES; c++)
+    {
+        pixels_[c].clear();
+        ends_[c].assign(1, 0);
+    }
 }
 
-//! The masks of a row of pixels with their own labels, in a loop that compilers vectorise.
-static void findMasks(const int* row, int step, int n, int* masks)
+void BoundaryList::addRow(const Quad* quads, int n, int first, int step)
 {
-    for (int x = 0; x < n; x++)
-        masks[x] = neighborMask(row + x, step, row[x]);
+    int* next[NUM_CLASSES];
+    for (int c = 0; c < NUM_CLASSES; c++)
+    {
+        pixels_[c].resize(ends_[c].back() + n);
+        next[c] = pixels_[c].data() + ends_[c].back();
+    }
+    for (int i = 0; i < n; i++)
+    {
+        const int upper = first + 2 * quads[i].x, lower = upper + step, classes = quads[i].classes;
+        *next[0] = upper;
+        *next[1] = upper + 1;
+        *next[2] = lower;
+        *next[3] = lower + 1;
+        for (int c = 0; c < NUM_CLASSES; c++)
+            next[c] += (classes >> c) & 1;
+    }
+    for (int c = 0; c < NUM_CLASSES; c++)
+        ends_[c].push_back(int(next[c] - pixels_[c].data()));
 }
 
-static void append(const BoundaryPixel* found, int count, BoundaryList& list)
+void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)
 {
-    list.pixels.insert(list.pixels.end(), found, found + count);
-}
-
-// The lists are made without branches on what no one could foresee: what is not listed is written over by the next.
-
-//! @note The pixels at the border of the image are listed, too: the frame has another label.
-void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list)
-{
-    const MaskTable& table = maskTable();
     const int width = labels.size().width;
-    int* masks = roomFor(width, list.masks);
-    BoundaryPixel* found = roomFor(width, list.found);
+    std::vector<int> found(width);
     for (int y = rows.start; y < rows.end; y++)
     {
         const int* row = labels.row(y);
-        const int first = labels.index(Point(0, y));
-        findMasks(row, labels.step(), width, masks);
-        int count = 0;
+        findMasksOfRow(row, labels.step(), width, found.data());
         for (int x = 0; x < width; x++)
-        {
-            const BoundaryPixel pixel = { first + x, masks[x] };
-            found[count] = pixel;
-            count += table.canLeave(pixel.mask) & (row[x] >= 0);
-        }
-        append(found, count, list);
+            masks.row(y)[x] = uchar(found[x] | (row[x] < 0 ? int(INTERIOR) : 0));
     }
 }
 
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list)
+//! Where a size is odd, the last pixels have no neighbours in their blocks.
+static void cutOddEnds(const Range& rows, Padded<uchar>& masks)
 {
-    const int INTERIOR = 255;
-    const MaskTable& table = maskTable();
-    const Size size = labels.size();
-    const int width = blocks.size().width, offsets[4] = { 0, 1, labels.step(), labels.step() + 1 };
-    int *masks = roomFor(width, list.masks), *columns = roomFor(width, list.columns);
-    BoundaryPixel* found = roomFor(4 * size_t(width), list.found);
-    for (int y = rows.start; y < rows.end; y += 2)
+    const uchar WITHOUT_RIGHT = 0xE3, WITHOUT_LOWER = 0x8F;
+    const Size size = masks.size();
+    const int end = std::min(2 * rows.end, size.height);
+    for (int y = 2 * rows.start; size.width % 2 && y < end; y++)
     {
-        findMasks(blocks.row(y / 2), blocks.step(), width, masks);
-        int num_columns = 0, count = 0;
-        for (int x = 0; x < width; x++)
-        {
-            columns[num_columns] = x;
-            num_columns += masks[x] != INTERIOR;
-        }
-        for (int i = 0; i < num_columns; i++)
-        {
-            const Point corner(2 * columns[i], y);
-            const bool has_right = corner.x + 1 < size.width, has_lower = y + 1 < size.height;
-            const bool inside[4] = { true, has_right, has_lower, has_right && has_lower };
-            for (int k = 0; k < 4; k++)
-            {
-                const BoundaryPixel pixel = { labels.index(corner) + offsets[k],
-                                              table.maskInBlock(masks[columns[i]], k) };
-                found[count] = pixel;
-                count += table.canLeave(pixel.mask) & inside[k];
-            }
-        }
-        append(found, count, list);
+        masks.row(y)[size.width - 1] &= WITHOUT_RIGHT;
+        masks.row(y)[size.width] = INTERIOR;
     }
+    if (2 * rows.end <= size.height)
+        return;
+    for (int x = 0; x < size.width; x++)
+        masks.row(size.height - 1)[x] &= WITHOUT_LOWER;
+    std::fill_n(masks.row(size.height) - 1, masks.step(), uchar(INTERIOR));
 }
 
-//! Marks what touches some of the moves and lies in [first, last).
-static void markAround(const std::vector<Move>& moves, int first, int last, int step, std::vector<uchar>& marks)
+//! Which pixels of a quad can leave.
+static int findLeavers(const MaskTable& table, const uchar* upper, const uchar* lower)
 {
-    for (size_t i = 0; i < moves.size(); i++)
-        for (int p = moves[i].index - step; p <= moves[i].index + step; p += step)
-            if (p >= first && p < last)
-                marks[p - 1] = marks[p] = marks[p + 1] = 1;
+    return table.canLeave(upper[0]) | table.canLeave(upper[1]) << 1 | table.canLeave(lower[0]) << 2 |
+           table.canLeave(lower[1]) << 3;
 }
 
-//! Lists the columns of a row that are marked.
-static int listMarked(const uchar* marks, int width, int* columns)
-{
-    int count = 0;
-    for (int x = 0; x < width; x++)
-    {
-        uint64 next_marks = 1; // of 8 columns: most rows have few marks
-        if (x % sizeof(next_marks) == 0 && x + int(sizeof(next_marks)) <= width)
-            memcpy(&next_marks, marks + x, sizeof(next_marks));
-        if (!next_marks)
-        {
-            x += int(sizeof(next_marks)) - 1;
-            continue;
-        }
-        columns[count] = x;
-        count += marks[x];
-    }
-    return count;
-}
-
-void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, const std::vector<std::vector<Move> >& moves,
-                             std::vector<uchar>& marks, BoundaryList& list)
+void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list)
 {
     const MaskTable& table = maskTable();
-    const int width = labels.size().width, step = labels.step();
-    const int first = labels.index(Point(-1, rows.start)), last = labels.index(Point(-1, rows.end));
-    std::fill(marks.begin() + first, marks.begin() + last, uchar(0));
-    const int band = rows.start / SWEEP_BAND_HEIGHT, num_bands = int(moves.size());
-    for (int i = std::max(band - 1, 0); i <= std::min(band + 1, num_bands - 1); i++)
-        markAround(moves[i], first, last, step, marks);
-
-    int* columns = roomFor(width, list.columns);
-    BoundaryPixel* found = roomFor(width, list.found);
+    std::vector<Quad> quads((masks.size().width + 1) / 2);
     for (int y = rows.start; y < rows.end; y++)
     {
-        const int left = labels.index(Point(0, y)), num_columns = listMarked(&marks[left], width, columns);
+        const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
         int count = 0;
-        for (int i = 0; i < num_columns; i++)
+        for (int x = 0; x < int(quads.size()); x++)
         {
-            const int index = left + columns[i], label = labels.data()[index];
-            const BoundaryPixel pixel = { index, neighborMask(labels.data() + index, step, label) };
-            found[count] = pixel;
-            count += table.canLeave(pixel.mask) & (label != OUTSIDE);
+            const Quad quad = { x, findLeavers(table, upper + 2 * x, lower + 2 * x) };
+            quads[count] = quad;
+            count += quad.classes != 0;
         }
-        append(found, count, list);
+        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
     }
 }
 
-void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list)
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Range& rows, Padded<uchar>& masks, BoundaryList& list)
 {
-    list.pixels.erase(std::remove_if(list.pixels.begin(), list.pixels.end(), [&](const BoundaryPixel& pixel)
+    const MaskTable& table = maskTable();
+    const int UPPER = 3, LEFT = 5; // classes
+    const Size size = masks.size();
+    const int width = blocks.size().width;
+    std::vector<int> masks_of_blocks(width);
+    std::vector<Quad> quads(width);
+    for (int y = rows.start; y < rows.end; y++)
     {
-        return markers.at<int>(labels.point(pixel.index)) >= 0;
-    }), list.pixels.end());
+        findMasksOfRow(blocks.row(y), blocks.step(), width, masks_of_blocks.data());
+        uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
+        const int inside = 2 * y + 1 < size.height ? int(ALL_CLASSES) : UPPER;
+        int count = 0;
+        for (int x = 0; x < width; x++)
+        {
+            const int mask = masks_of_blocks[x];
+            memcpy(upper + 2 * x, table.masksInBlock(mask), 2);
+            memcpy(lower + 2 * x, table.masksInBlock(mask) + 2, 2);
+            const Quad quad = { x, table.leaversInBlock(mask) & inside };
+            quads[count] = quad;
+            count += quad.classes != 0;
+        }
+        if (size.width % 2 && count > 0 && quads[count - 1].x == width - 1)
+            quads[count - 1].classes &= LEFT;
+        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
+    }
+    cutOddEnds(rows, masks);
+}
+
+void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list)
+{
+    const MaskTable& table = maskTable();
+    const int width = marks.size().width;
+    std::vector<Quad> quads(width);
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        uchar* row = marks.row(y);
+        const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
+        int count = 0;
+        for (int x = 0; x < width; x++)
+        {
+            uint64 next_marks = 1; // of 8 quads: most rows have few marks
+            if (x % sizeof(next_marks) == 0 && x + int(sizeof(next_marks)) <= width)
+                memcpy(&next_marks, row + x, sizeof(next_marks));
+            if (!next_marks)
+            {
+                x += int(sizeof(next_marks)) - 1;
+                continue;
+            }
+            const Quad quad = { x, row[x] & findLeavers(table, upper + 2 * x, lower + 2 * x) };
+            quads[count] = quad;
+            count += quad.classes != 0;
+        }
+        std::fill_n(row, width, uchar(0));
+        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
+    }
 }
 
 }}} // namespace

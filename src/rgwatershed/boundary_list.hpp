@@ -10,44 +10,61 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A pixel that may leave its region, and the mask of its neighbours in that.
-struct BoundaryPixel
+// An image is divided into quads of 2x2 pixels, each of which has one pixel of each of the four classes: class
+// 2 * (y % 2) + x % 2. No two pixels of one class are neighbours.
+
+enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
+
+enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its label: it cannot leave
+
+//! A quad that has pixels to look at: its column, and a bit for each class.
+struct Quad
 {
-    int index, mask;
+    int x, classes;
 };
 
-//! A pixel that goes from a region to another one.
-struct Move
+//! The pixels that a sweep looks at in some rows of quads, by class and row.
+class BoundaryList
 {
-    int index, from, to;
+public:
+    //! Pixels by their index.
+    struct Part
+    {
+        const int* pixels;
+        int count;
+    };
+
+    //! Empties it. Rows from this one on will be added.
+    void begin(int first_row);
+    //! Adds the next row. first is the index of the upper left pixel in it, step the offset to the next row of pixels.
+    void addRow(const Quad* quads, int n, int first, int step);
+
+    Part part(int c, int row) const
+    {
+        const int* ends = &ends_[c][row - first_row_];
+        const Part result = { pixels_[c].data() + ends[0], ends[1] - ends[0] };
+        return result;
+    }
+
+private:
+    int first_row_;
+    std::vector<int> pixels_[NUM_CLASSES]; // with room at the end
+    std::vector<int> ends_[NUM_CLASSES];   // of the rows; the first is 0
 };
 
-//! The boundary in some rows of an image.
-struct BoundaryList
-{
-    std::vector<BoundaryPixel> pixels;
+//! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
+void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
 
-    // Buffers, of a row:
-    std::vector<int> masks, columns;
-    std::vector<BoundaryPixel> found;
-};
+// Each of these adds some rows of quads to a list.
 
-//! Rows of a band; bands have the same height for any number of threads, so that the result is the same.
-enum { SWEEP_BAND_HEIGHT = 16 };
+//! All pixels that may leave.
+void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list);
 
-//! Adds the pixels of some rows that may leave their regions, in raster order, to a list.
-void listBoundary(const Padded<int>& labels, const Range& rows, BoundaryList& list);
+//! The same where the labels are those of blocks of 2x2 pixels, whose masks are found, too.
+void listBoundaryOfBlocks(const Padded<int>& blocks, const Range& rows, Padded<uchar>& masks, BoundaryList& list);
 
-//! The same, in the order of the blocks, for labels that are those of blocks of 2x2 pixels. The first row is even.
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Padded<int>& labels, const Range& rows, BoundaryList& list);
-
-//! Those of them that touch one of the pixels that moved in the sweep before; rows are those of a band.
-//! moves are those of that sweep by bands, marks a buffer for the elements of labels.
-void listBoundaryAroundMoves(const Padded<int>& labels, const Range& rows, const std::vector<std::vector<Move> >& moves,
-                             std::vector<uchar>& marks, BoundaryList& list);
-
-//! Takes the pixels of markers from the list, so that a sweep does not move them.
-void keepMarkers(const Mat& markers, const Padded<int>& labels, BoundaryList& list);
+//! Those pixels that may leave and have marks. The marks are taken away.
+void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list);
 
 }}} // namespace
 

@@ -3,263 +3,273 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/region_choice.hpp"
+#include "rgwatershed/region_labels.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! One sweep in two steps: every pixel of the boundary chooses a region by the labels as they are
-//! at the beginning, all at once; then those that chose another one move in turn, as far as it
-//! still pays. So no region runs along an edge in the order of the sweep.
-class BoundarySweep
+// Bands of rows of quads go through all four classes while they are in the cache. What a pixel may see are the classes
+// before its own, moved, and those after it, not yet. So a row of a class comes when the rows above and below it have
+// had the classes before; and near to another band the rows are left out whose neighbours may lie there. They come when
+// all bands are done. So the result is that of one class after another.
+// The same holds for what a move writes: the masks of its neighbours and the marks of their quads.
+
+enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
+
+//! Rows of quads that a class is looked at in.
+struct ClassRows
+{
+    explicit ClassRows(const Range& all) { std::fill_n(rows, int(NUM_CLASSES), all); }
+
+    //! What of a band has no neighbour in another one, or none that counts.
+    static ClassRows within(const Range& band, int height)
+    {
+        const int above = band.start > 0, below = band.end < height;
+        ClassRows result(band);
+        result.rows[0] = Range(band.start + above, band.end);
+        result.rows[3] = Range(band.start + above, band.end - below);
+        result.rows[1] = Range(band.start + 2 * above, band.end - below);
+        result.rows[2] = Range(band.start + 2 * above, band.end - 2 * below);
+        return result;
+    }
+
+    //! What is left between the band that ends at a row and the next one.
+    static ClassRows between(int row, int height)
+    {
+        ClassRows result(Range(row, row + 1));
+        result.rows[3] = Range(row - 1, row + 1);
+        result.rows[1] = Range(row - 1, std::min(row + 2, height));
+        result.rows[2] = Range(row - 2, std::min(row + 2, height));
+        return result;
+    }
+
+    bool has(int c, int row) const { return row >= rows[c].start && row < rows[c].end; }
+
+    Range rows[NUM_CLASSES];
+};
+
+//! What one thread does.
+class BoundarySweeper::Wave
 {
 public:
-    BoundarySweep(const Padded<Feature>& features, const RegionDistance& distance, int length_price,
-                  const VariationGuard* guard, Padded<int>& labels, Regions& regions)
-        : table_(maskTable()), features_(features), distance_(distance), guard_(guard), labels_(labels),
-          regions_(regions)
+    Wave(const RegionChoice& choice, const SweepRules& rules, Padded<int>& labels, BoundarySweeper& sweeper,
+         Moves& moves)
+        : table_(maskTable()), choice_(choice), rules_(rules), labels_(labels), sweeper_(sweeper), moves_(moves)
     {
-        const int step = labels.step();
-        const int offsets[8] = { -step - 1, -step, -step + 1, 1, step + 1, step, step - 1, -1 };
-        for (int mask = 0; mask < 256; mask++)
-        {
-            savings_[mask] = length_price * table_.agreement(mask);
-            first_offsets_[mask] = offsets[table_.first(mask & MaskTable::FOUR_NEIGHBORS)];
-            last_offsets_[mask] = offsets[table_.last(mask & MaskTable::FOUR_NEIGHBORS)];
-        }
     }
 
-    //! Lists the moves that lower the energy.
-    void choose(const std::vector<BoundaryPixel>& boundary, std::vector<Move>& moves) const
+    //! Class 3 comes one row after class 0, which it needs above and below, class 1 with it, class 2 two rows after.
+    void run(const ClassRows& classes)
     {
-        enum { BATCH = 256 };
-        OpenPixel open[BATCH];
-        size_t num_moves = 0;
-        for (size_t first = 0; first < boundary.size(); first += BATCH)
-        {
-            const int n = int(std::min(boundary.size() - first, size_t(BATCH)));
-            const int count = distance_.with_depth ? findOpen<true>(&boundary[first], n, open)
-                                                   : findOpen<false>(&boundary[first], n, open);
-            moves.resize(num_moves + count);
-            for (int i = 0; i < count; i++)
+        const int ORDER[NUM_CLASSES] = { 0, 3, 1, 2 }, LAGS[NUM_CLASSES] = { 0, 1, 2, 1 };
+        for (int row = classes.rows[0].start; row < classes.rows[2].end + LAGS[2]; row++)
+            for (int i = 0; i < NUM_CLASSES; i++)
             {
-                const BoundaryPixel& pixel = boundary[first + open[i].position];
-                const Move move = { pixel.index, labels_.data()[pixel.index], chooseRegion(pixel, open[i].energy) };
-                moves[num_moves] = move;
-                num_moves += move.to != move.from;
+                const int c = ORDER[i];
+                if (classes.has(c, row - LAGS[c]))
+                    sweepRow(c, row - LAGS[c]);
             }
-        }
-        moves.resize(num_moves);
-    }
-
-    //! Makes the moves that are still allowed and still pay, in turn. The others leave the list.
-    void move(std::vector<Move>& moves)
-    {
-        size_t made = 0;
-        for (size_t i = 0; i < moves.size(); i++)
-        {
-            if (!pays(moves[i]))
-                continue;
-            labels_.data()[moves[i].index] = moves[i].to;
-            moves[made++] = moves[i];
-        }
-        moves.resize(made);
     }
 
 private:
-    //! A pixel that another region may win.
-    struct OpenPixel
+    //! The pixels of a class in a row of quads.
+    void sweepRow(int c, int row)
     {
-        int position, energy;
-    };
-
-    //! Most pixels lie near to the mean of their region and far from that of the one beside it. They are passed over
-    //! here, in a loop without branches: no one could foresee which they are.
-    template <bool WITH_DEPTH> int findOpen(const BoundaryPixel* boundary, int n, OpenPixel* open) const
-    {
-        int count = 0;
-        for (int i = 0; i < n; i++)
+        const BoundaryList::Part part = sweeper_.lists_[row / BAND_HEIGHT].part(c, row);
+        const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
+        for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
-            const BoundaryPixel& pixel = boundary[i];
-            const int* label = labels_.data() + pixel.index;
-            const int others = ~pixel.mask & 255, other = label[first_offsets_[others]];
-            const Vec2i squares = distance_.squared<WITH_DEPTH>(features_.data()[pixel.index], regions_.means[*label],
-                                                                regions_.means[std::max(other, 0)]);
-            const OpenPixel candidate = { i, squares[0] - savings_[pixel.mask] };
-            open[count] = candidate;
-            // Others can save no more boundary than with all neighbours but these.
-            const bool wins = squares[1] - savings_[others] < candidate.energy;
-            const bool another_wins = -savings_[others] < candidate.energy;
-            const bool several = (label[last_offsets_[others]] != other) | table_.isTip(pixel.mask);
-            count += wins | (another_wins & several);
+            RegionChoice::Gain gains[RegionChoice::BATCH];
+            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH),
+                                            gains);
+            for (int i = 0; i < n; i++)
+            {
+                const Point p(gains[i].pixel - left, y);
+                if (permits(p, gains[i].region))
+                    move(c, p, gains[i]);
+            }
         }
-        return count;
     }
 
-    //! The region of a 4-neighbour of the lowest energy, if that is lower than the energy of its own.
-    int chooseRegion(const BoundaryPixel& pixel, int energy) const
+    bool permits(Point p, int to) const
     {
-        const int* label = labels_.data() + pixel.index;
-        int best = *label, others = ~pixel.mask & 255;
-        do
-        {
-            const int region = label[first_offsets_[others]];
-            const int mask = neighborMask(label, labels_.step(), region);
-            const int e = distance_.squared(features_.data()[pixel.index], regions_.means[std::max(region, 0)]) -
-                          savings_[mask];
-            const bool better = (e < energy) & (region != OUTSIDE);
-            best = better ? region : best;
-            energy = better ? e : energy;
-            others &= ~mask;
-        }
-        while (others & MaskTable::FOUR_NEIGHBORS);
-        return best;
+        return (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
+               (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
-    //! Whether a pixel still may leave its region and gains by it.
-    bool pays(const Move& move) const
+    void move(int c, Point p, const RegionChoice::Gain& to)
     {
-        const int* label = labels_.data() + move.index;
-        const int mask_from = neighborMask(label, labels_.step(), move.from);
-        const int mask_to = neighborMask(label, labels_.step(), move.to);
-        if (!table_.canLeave(mask_from) || !(mask_to & MaskTable::FOUR_NEIGHBORS))
-            return false;
-        const Vec2i squares = distance_.squared<true>(features_.data()[move.index], regions_.means[move.from],
-                                                      regions_.means[move.to]);
-        return squares[1] - savings_[mask_to] < squares[0] - savings_[mask_from] &&
-               (!guard_ || guard_->permits(labels_.point(move.index), move.from, move.to));
+        int& label = labels_.row(p.y)[p.x];
+        if (!rules_.last)
+        {
+            const Move made = { labels_.index(p), label, to.region };
+            moves_.add(made);
+            markAround(c, p);
+        }
+        label = to.region;
+        changeMasks(sweeper_.masks_.row(p.y) + p.x, to.mask);
+    }
+
+    //! @note Loads of words come before stores of bytes, because a load of what was just stored in parts is slow.
+    void changeMasks(uchar* mask, int own_mask)
+    {
+        const int changed = *mask | own_mask;
+        for (int row = 0; row < 3; row++)
+        {
+            uchar* bytes = mask + (row - 1) * labels_.step() - 1;
+            unsigned masks, changes;
+            memcpy(&masks, bytes, sizeof(masks));
+            memcpy(&changes, table_.changes(changed, row), sizeof(changes));
+            masks ^= changes;
+            memcpy(bytes, &masks, sizeof(masks));
+        }
+        *mask = uchar(own_mask);
+    }
+
+    //! Marks the 3x3 pixels around a move, which lie in 2x2 quads.
+    void markAround(int c, Point p)
+    {
+        const int side = c & 1 ? 1 : -1; // where the quads beside lie
+        const int column = c & 1 ? 5 : 10, row = c & 2 ? 3 : 12; // of their pixels that touch the move
+        uchar* near_row = sweeper_.marks_.row(p.y / 2) + p.x / 2;
+        uchar* far_row = near_row + (c & 2 ? 1 : -1) * sweeper_.marks_.step();
+        near_row[0] = ALL_CLASSES;
+        near_row[side] |= uchar(column);
+        far_row[0] |= uchar(row);
+        far_row[side] |= uchar(row & column);
     }
 
     const MaskTable& table_;
-    const Padded<Feature>& features_;
-    const RegionDistance distance_;
-    const VariationGuard* const guard_;
+    const RegionChoice& choice_;
+    const SweepRules& rules_;
     Padded<int>& labels_;
-    Regions& regions_;
-    int savings_[256];                             // in energy, by mask of the neighbours that agree
-    int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours in a mask
+    BoundarySweeper& sweeper_;
+    Moves& moves_;
 };
 
-//! Every second group of bands, beginning with one of them: no two of these touch, so they move at the same time.
-//! @note Groups are high because what the order of the moves decides, such as the side of an edge that a strip of one
-//! pixel in width goes along, changes between them.
-static void moveEverySecond(int first, BoundarySweep& sweep, std::vector<std::vector<Move> >& moves)
+void BoundarySweeper::Moves::clear()
 {
-    const int GROUP = 4, count = (int(moves.size()) + GROUP - 1) / GROUP;
-    parallel_for_(Range(0, (count - first + 1) / 2), [&](const Range& range)
-    {
-        for (int i = range.start; i < range.end; i++)
-        {
-            const int begin = (first + 2 * i) * GROUP, end = std::min(begin + GROUP, int(moves.size()));
-            for (int k = begin; k < end; k++)
-                sweep.move(moves[k]);
-        }
-    });
+    list.clear();
+    lowest_region = INT_MAX;
+    highest_region = -1;
 }
 
-//! A list for one thread; the next one that needs a list gets it, with its memory.
-//! @note cv::TLSData cannot be used: its destructor allocates, and ends the program where there is no memory.
-class BorrowedList
+void BoundarySweeper::Moves::add(const Move& move)
 {
-public:
-    BorrowedList(std::list<BoundaryList>& lists, Mutex& mutex) : lists_(lists), mutex_(mutex)
-    {
-        AutoLock lock(mutex_);
-        if (lists_.empty())
-            lists_.emplace_back();
-        list_.splice(list_.begin(), lists_, lists_.begin());
-    }
-    ~BorrowedList()
-    {
-        AutoLock lock(mutex_);
-        lists_.splice(lists_.begin(), list_);
-    }
-    BoundaryList& get() { return list_.front(); }
+    list.push_back(move);
+    lowest_region = std::min(lowest_region, std::min(move.from, move.to));
+    highest_region = std::max(highest_region, std::max(move.from, move.to));
+}
 
-private:
-    std::list<BoundaryList>& lists_;
-    Mutex& mutex_;
-    std::list<BoundaryList> list_;
-};
+void BoundarySweeper::begin(Size size)
+{
+    masks_.create(size, uchar(INTERIOR));
+    marks_.create(Size((size.width + 1) / 2, (size.height + 1) / 2), uchar(0));
+}
 
-void BoundarySweeper::start(const Padded<Feature>& features, const BoundaryEnergy& energy, const Mat& markers,
+void BoundarySweeper::clearMarks(const Range& rows)
+{
+    for (int row = rows.start; row < rows.end; row++)
+        std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
+}
+
+void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+                               Regions& regions)
+{
+    const Size size = labels.size();
+    begin(size);
+    parallel_for_(Range(0, size.height), [&](const Range& rows) { findMasks(labels, rows, masks_); });
+    sweep([&](const Range& rows, BoundaryList& list)
+    {
+        clearMarks(rows);
+        listBoundary(masks_, rows, list);
+    }, features, rules, labels, regions);
+}
+
+void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const Padded<Feature>& features, const SweepRules& rules,
+                                  Padded<int>& labels, Regions& regions)
+{
+    begin(features.size());
+    labels.create(features.size(), OUTSIDE);
+    sweep([&](const Range& rows, BoundaryList& list)
+    {
+        clearMarks(rows);
+        doubleLabels(blocks, Range(2 * rows.start, std::min(2 * rows.end, labels.size().height)), labels);
+        listBoundaryOfBlocks(blocks, rows, masks_, list);
+    }, features, rules, labels, regions);
+}
+
+void BoundarySweeper::sweepAgain(int count, const Padded<Feature>& features, const SweepRules& rules,
+                                 Padded<int>& labels, Regions& regions)
+{
+    for (int i = 0; i < count && moved_; i++)
+        sweep([&](const Range& rows, BoundaryList& list) { listMarked(masks_, rows, marks_, list); }, features,
+              rules, labels, regions);
+}
+
+void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules,
                             Padded<int>& labels, Regions& regions)
 {
-    features_ = &features;
-    energy_ = &energy;
-    markers_ = markers;
-    labels_ = &labels;
-    regions_ = &regions;
-}
-
-void BoundarySweeper::sweepAll()
-{
-    sweep([&](const Range& rows, BoundaryList& boundary) { listBoundary(*labels_, rows, boundary); }, 0);
-}
-
-void BoundarySweeper::sweepAllOfBlocks(const Padded<int>& blocks)
-{
-    sweep([&](const Range& rows, BoundaryList& boundary)
-    {
-        listBoundaryOfBlocks(blocks, *labels_, rows, boundary);
-    }, 0);
-}
-
-void BoundarySweeper::sweepAgain(int count, VariationGuard* guard)
-{
-    if (count > 0)
-        marks_.resize(size_t(labels_->step()) * (labels_->size().height + 2));
-    for (int i = 0; i < count && moved(); i++)
-        sweep([&](const Range& rows, BoundaryList& boundary)
-        {
-            listBoundaryAroundMoves(*labels_, rows, last_moves_, marks_, boundary);
-        }, guard);
-}
-
-bool BoundarySweeper::moved() const
-{
-    for (size_t i = 0; i < moves_.size(); i++)
-        if (!moves_[i].empty())
-            return true;
-    return false;
-}
-
-//! One sweep over what is listed, but for the pixels of markers.
-void BoundarySweeper::sweep(const ListBoundary& list, VariationGuard* guard)
-{
     CV_TRACE_FUNCTION();
-    const int height = labels_->size().height;
-    moves_.swap(last_moves_);
-    moves_.resize((height + SWEEP_BAND_HEIGHT - 1) / SWEEP_BAND_HEIGHT);
-    BoundarySweep sweep(*features_, energy_->distance, energy_->length_price, guard, *labels_, *regions_);
-    Mutex mutex;
-    parallel_for_(Range(0, int(moves_.size())), [&](const Range& range)
+    const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+    const RegionChoice choice(features, labels, masks_, regions.means, rules.distance, rules.length_price);
+    lists_.resize(num_bands);
+    moves_.resize(2 * num_bands - 1);
+    for (size_t i = 0; i < moves_.size(); i++)
+        moves_[i].clear();
+    parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
-        BorrowedList borrowed(lists_, mutex);
-        BoundaryList& boundary = borrowed.get();
         for (int i = range.start; i < range.end; i++)
         {
-            boundary.pixels.clear();
-            list(Range(i * SWEEP_BAND_HEIGHT, std::min((i + 1) * SWEEP_BAND_HEIGHT, height)), boundary);
-            if (!markers_.empty())
-                keepMarkers(markers_, *labels_, boundary);
-            sweep.choose(boundary.pixels, moves_[i]);
+            const Range rows(i * BAND_HEIGHT, std::min((i + 1) * BAND_HEIGHT, height));
+            lists_[i].begin(rows.start);
+            list(rows, lists_[i]);
+            Wave(choice, rules, labels, *this, moves_[i]).run(ClassRows::within(rows, height));
         }
     });
-    moveEverySecond(0, sweep, moves_);
-    moveEverySecond(1, sweep, moves_);
-
-    for (size_t i = 0; i < moves_.size(); i++)
-        for (size_t k = 0; k < moves_[i].size(); k++)
+    parallel_for_(Range(1, num_bands), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
         {
-            const Move& move = moves_[i][k];
-            const Feature& feature = features_->data()[move.index];
-            regions_->sums[move.from].add(feature, -1);
-            regions_->sums[move.to].add(feature);
-            if (guard)
-                guard->move(labels_->point(move.index), move.from, move.to);
+            const ClassRows rows = ClassRows::between(i * BAND_HEIGHT, height);
+            Wave(choice, rules, labels, *this, moves_[num_bands + i - 1]).run(rows);
         }
-    regions_->update();
+    });
+    moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
+    if (rules.last)
+        return;
+    const int STRIPES = 8, n = regions.size();
+    parallel_for_(Range(0, STRIPES), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            updateRegions(Range(int(int64(n) * i / STRIPES), int(int64(n) * (i + 1) / STRIPES)), features, rules.guard,
+                          regions);
+    });
+}
+
+//! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
+//! so few are read for nothing.
+void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+                                    Regions& regions) const
+{
+    const auto add = [&](int index, int region, int times)
+    {
+        if (region < range.start || region >= range.end)
+            return;
+        regions.sums[region].add(features.data()[index], times);
+        if (guard)
+            guard->add(features.point(index), region, times);
+    };
+    for (size_t i = 0; i < moves_.size(); i++)
+        for (size_t k = 0; k < moves_[i].list.size() && moves_[i].meets(range); k++)
+        {
+            add(moves_[i].list[k].index, moves_[i].list[k].from, -1);
+            add(moves_[i].list[k].index, moves_[i].list[k].to, 1);
+        }
+    for (int i = range.start; i < range.end; i++)
+        regions.update(i);
     if (guard)
-        guard->update();
+        guard->update(range);
 }
 
 }}} // namespace

@@ -8,56 +8,81 @@
 #include "rgwatershed/boundary_list.hpp"
 #include "rgwatershed/variation_guard.hpp"
 #include "shared/region_distance.hpp"
-
 #include <functional>
-#include <list>
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! What a sweep makes smaller: the squared distance of each pixel to the mean of its region, and the boundary.
-struct BoundaryEnergy
+//! What a sweep goes by.
+struct SweepRules
 {
-    explicit BoundaryEnergy(const RegionDistance& distance_, int length_price_ = 0)
-        : distance(distance_), length_price(length_price_) {}
+    SweepRules(const RegionDistance& distance_, const Mat& markers_) : distance(distance_), markers(markers_) {}
 
     RegionDistance distance;
-    int length_price; //!< in squared grey levels, of a quarter of a pixel edge of boundary
+    int length_price = 0;      //!< energy, in squared grey levels, of a quarter of a pixel edge of boundary
+    Mat markers;               //!< of the user: pixels with a value of 0 or more stay; may be empty
+    VariationGuard* guard = 0; //!< may be 0
+    bool last = false;         //!< the sums and means of the regions are not needed after it
 };
 
-//! Sweeps over the boundaries of regions: pixels go to the neighbouring region of the lowest energy, while each region
-//! stays one piece. Means are those of the beginning of a sweep.
+//! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
+//! region stays one piece. Holds the state between sweeps, so there is one for each size of images.
+//!
+//! A sweep takes the four classes of pixels in turn. No two pixels of a class are neighbours, so all of them can choose
+//! and move at once: what they chose holds, and the order does not matter. Means are those of the beginning of the
+//! sweep. Which pixels are looked at is known then, too.
 class BoundarySweeper
 {
 public:
-    //! Sets what the sweeps to come work on. Pixels of markers, CV_32SC1 or empty, that
-    //! are 0 or more do not move.
-    void start(const Padded<Feature>& features, const BoundaryEnergy& energy, const Mat& markers, Padded<int>& labels,
-               Regions& regions);
+    //! Sweeps over the whole boundary.
+    void sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
-    //! A sweep over the whole boundary.
-    void sweepAll();
-    //! The same for labels that are those of blocks of 2x2 pixels.
-    void sweepAllOfBlocks(const Padded<int>& blocks);
-    //! Sweeps over what touches the pixels that moved in the sweep before, until none does. guard may be 0.
-    void sweepAgain(int count, VariationGuard* guard = 0);
+    //! The same for labels that become those of blocks of 2x2 pixels first.
+    void sweepBlocks(const Padded<int>& blocks, const Padded<Feature>& features, const SweepRules& rules,
+                     Padded<int>& labels, Regions& regions);
+
+    //! Sweeps around the pixels that moved in the sweep before, of the same labels, until none does.
+    void sweepAgain(int count, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+                    Regions& regions);
 
     //! Whether any pixel moved in the last sweep.
-    bool moved() const;
+    bool moved() const { return moved_; }
 
 private:
-    typedef std::function<void(const Range& rows, BoundaryList& list)> ListBoundary;
+    class Wave;
 
-    void sweep(const ListBoundary& list, VariationGuard* guard);
+    struct Move
+    {
+        int index, from, to;
+    };
 
-    const Padded<Feature>* features_ = 0;
-    const BoundaryEnergy* energy_ = 0;
-    Mat markers_;
-    Padded<int>* labels_ = 0;
-    Regions* regions_ = 0;
+    //! Moves in some rows, and the regions that lost or gained by them.
+    struct Moves
+    {
+        std::vector<Move> list;
+        int lowest_region, highest_region;
 
-    std::vector<std::vector<Move> > moves_, last_moves_; // of this sweep and of the one before, by bands
-    std::vector<uchar> marks_;                           // by pixel
-    std::list<BoundaryList> lists_;                      // that no thread uses
+        void clear();
+        void add(const Move& move);
+        bool meets(const Range& regions) const
+        {
+            return highest_region >= regions.start && lowest_region < regions.end;
+        }
+    };
+
+    typedef std::function<void(const Range& rows, BoundaryList& list)> List;
+
+    void begin(Size size);
+    void clearMarks(const Range& rows);
+    void sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+               Regions& regions);
+    void updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+                       Regions& regions) const;
+
+    Padded<uchar> masks_;             // of the neighbours with the same label, by pixel
+    Padded<uchar> marks_;             // of the classes that touch a move, by quad
+    std::vector<BoundaryList> lists_; // by band
+    std::vector<Moves> moves_;        // within bands, then between them
+    bool moved_ = false;
 };
 
 }}} // namespace

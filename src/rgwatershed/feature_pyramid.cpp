@@ -68,7 +68,7 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
 void makePyramid(const Mat& color, const Mat& depth, bool lab_input, int top, Padded<Feature>* levels)
 {
     CV_TRACE_FUNCTION();
-    const int BAND_HEIGHT = 64; // while its rows are in the cache
+    const int BAND_HEIGHT = 16; // while its rows are in the cache
     CV_DbgAssert(BAND_HEIGHT % (1 << top) == 0); // a band has whole blocks on every level
     Size size = color.size();
     for (int level = 0; level <= top; level++, size = Size((size.width + 1) / 2, (size.height + 1) / 2))

@@ -6,10 +6,41 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+// Compilers make vectors of the following two, which is why the first of them is not inlined into loops.
+
+static inline int bitIfSame(int label, int other, int bit)
+{
+    return -int(label == other) & bit;
+}
+
+int neighborMask(const int* pixel, int step, int label)
+{
+    // Four columns at once. The one too many is to the left below, and to the right else: there are always labels.
+    // (To the left in the middle, a label may have been written just before, which makes loads slow.)
+    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 128, 0, 8, 0 }, LOWER[4] = { 0, 64, 32, 16 };
+    const int *upper = pixel - step - 1, *middle = pixel - 1, *lower = pixel + step - 2;
+    int mask = 0;
+    for (int i = 0; i < 4; i++)
+        mask |= bitIfSame(upper[i], label, UPPER[i]) | bitIfSame(middle[i], label, MIDDLE[i]) |
+                bitIfSame(lower[i], label, LOWER[i]);
+    return mask;
+}
+
+void findMasksOfRow(const int* row, int step, int n, int* masks)
+{
+    const int *upper = row - step, *lower = row + step;
+    for (int x = 0; x < n; x++)
+        masks[x] = bitIfSame(upper[x - 1], row[x], 1) | bitIfSame(upper[x], row[x], 2) |
+                   bitIfSame(upper[x + 1], row[x], 4) | bitIfSame(row[x + 1], row[x], 8) |
+                   bitIfSame(lower[x + 1], row[x], 16) | bitIfSame(lower[x], row[x], 32) |
+                   bitIfSame(lower[x - 1], row[x], 64) | bitIfSame(row[x - 1], row[x], 128);
+}
+
+static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
+
 //! Each neighbour of a pixel lies in its block or in one of the neighbours of that.
 static uchar findMaskInBlock(int block_mask, int pixel)
 {
-    const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
     const int x = pixel % 2, y = pixel / 2;
     int mask = 0;
     for (int k = 0; k < 8; k++)
@@ -23,7 +54,7 @@ static uchar findMaskInBlock(int block_mask, int pixel)
     return uchar(mask);
 }
 
-MaskTable::MaskTable()
+MaskTable::MaskTable() : changes_()
 {
     for (int mask = 0; mask < 256; mask++)
     {
@@ -44,8 +75,17 @@ MaskTable::MaskTable()
         agreement_[mask] = uchar(agreement);
         is_tip_[mask] = four == 1;
         can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
+        for (int k = 0; k < 8; k++)
+            changes_[mask][1 + DY[k]][1 + DX[k]] = (mask >> k) & 1 ? uchar(1 << ((k + 4) & 7)) : uchar(0);
+    }
+    for (int mask = 0; mask < 256; mask++)
+    {
+        leavers_in_block_[mask] = 0;
         for (int pixel = 0; pixel < 4; pixel++)
+        {
             in_block_[mask][pixel] = findMaskInBlock(mask, pixel);
+            leavers_in_block_[mask] |= uchar(can_leave_[in_block_[mask][pixel]] << pixel);
+        }
     }
 }
 

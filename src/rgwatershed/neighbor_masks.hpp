@@ -11,12 +11,10 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
 //! its 4-neighbours. A mask tells which of them have a label.
-inline int neighborMask(const int* pixel, int step, int label)
-{
-    return (pixel[-step - 1] == label) | (pixel[-step] == label) << 1 | (pixel[-step + 1] == label) << 2 |
-           (pixel[1] == label) << 3 | (pixel[step + 1] == label) << 4 | (pixel[step] == label) << 5 |
-           (pixel[step - 1] == label) << 6 | (pixel[-1] == label) << 7;
-}
+int neighborMask(const int* pixel, int step, int label);
+
+//! The masks of a row of pixels with their own labels.
+void findMasksOfRow(const int* row, int step, int n, int* masks);
 
 //! What a pixel must know of the mask of its neighbours with one label.
 class MaskTable
@@ -41,11 +39,19 @@ public:
     //! Whether three of the 4-neighbours are not in the mask.
     bool isTip(int mask) const { return is_tip_[mask]; }
 
-    //! Mask of one of the pixels of a block, which are numbered in raster order, by the mask of the block.
-    int maskInBlock(int mask, int pixel) const { return in_block_[mask][pixel]; }
+    //! Masks of the pixels of a block, which are numbered in raster order, by the mask of the block.
+    const uchar* masksInBlock(int mask) const { return in_block_[mask]; }
+    //! Which of them can leave, as bits.
+    int leaversInBlock(int mask) const { return leavers_in_block_[mask]; }
+
+    //! What changes in the masks of the neighbours if the pixel in the middle changes its label, and the neighbours of
+    //! the mask have the old or the new one: 4 bytes from the left for each row, the last of them 0.
+    const uchar* changes(int mask, int row) const { return changes_[mask][row]; }
 
 private:
-    uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256], in_block_[256][4];
+    uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256];
+    uchar in_block_[256][4], leavers_in_block_[256];
+    uchar changes_[256][3][4];
 };
 
 const MaskTable& maskTable();

@@ -48,7 +48,8 @@ static int chooseLevel(const Frame& frame, float ruler, const MaskPyramid& masks
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : level(chooseLevel(frame, parameters.ruler, masks)), ruler(parameters.ruler),
       length_exponent(lengthExponent(ruler)), flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
-      energy_before_merging(flood_distance), energy(sweepDistance(parameters.alpha, !frame.depth.empty()))
+      sweep_before_merging(flood_distance, Mat()),
+      sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
 {
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
@@ -57,8 +58,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
                              : frame.num_superpixels;
     num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
     band_height = floodBandHeight(blocks, num_superpixels);
-    energy_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
-    energy.length_price = boundaryPrice(PRICE, side, ruler);
+    sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
+    sweep.length_price = boundaryPrice(PRICE, side, ruler);
 }
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const

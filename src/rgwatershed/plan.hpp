@@ -29,7 +29,7 @@ struct Plan
     float ruler;
     int length_exponent;    //!< of merging, in 1/16
     RegionDistance flood_distance;       //!< leads in finding regions
-    BoundaryEnergy energy_before_merging, energy; //!< lead in settling boundaries
+    SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
 };
 
 }}} // namespace

@@ -6,115 +6,170 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Length of a vector in 1/16 within 4 percent, without a root.
-static inline int64 octagonalLength(Point v)
+void FloodRegion::update()
 {
-    const int64 x = 16 * int64(std::abs(v.x)), y = 16 * int64(std::abs(v.y));
-    const int64 longer = std::max(x, y), shorter = std::min(x, y);
-    return longer - (longer >> 5) + ((13 * shorter) >> 5);
+    const RegionMean mean = sum.mean();
+    const short values[4] = { mean.color[0], mean.color[2], mean.color[1], mean.depth };
+    std::copy(values, values + 4, means);
+    next_update = sum.area + sum.area / 4 + 1; // the mean of many hardly moves
 }
 
+//! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is
+//! taken from its components within 4 percent.
+template <bool WITH_DEPTH> class NeighborPriorities
+{
+public:
+    NeighborPriorities(const RegionDistance& distance, int ruler)
+        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13)))
+    {
+        const short (*w)[4] = distance.weights;
+        for (int k = 0; k < 1 + WITH_DEPTH; k++)
+        {
+            even_[k] = setPair(w[k][0], w[k][2]);
+            odd_[k] = setPair(w[k][1], w[k][3]);
+        }
+    }
+
+    //! features: of left, top, right and bottom; offset: from the block to the marker of the region.
+    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset) const
+    {
+        const v_uint16x8 bytes = v_reinterpret_as_u16(features);
+        const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
+        const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
+        const v_int16x8 even_away = difference(even, setPair(region.means[0], region.means[1]));
+        const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
+        v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0]));
+        if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
+        {
+            const v_int32x4 has_depth = v_reinterpret_as_s32(v_min(v_shr<24>(features), v_setall_u32(1)));
+            const v_int32x4 with_depth = v_dotprod(odd_away, odd_[1], v_dotprod(even_away, even_[1]));
+            away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
+        }
+        const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
+        const short dy = short(std::max(std::min(offset.y, int(FARTHEST)), -FARTHEST));
+        const v_int16x8 v = difference(setPair(dx, dy), v_int16x8(-1, 0, 0, -1, 1, 0, 0, 1));
+        const v_int16x8 swapped = difference(setPair(dy, dx), v_int16x8(0, -1, -1, 0, 0, 1, 1, 0));
+        away = v_dotprod(v, both_, v_dotprod(v_max(v, swapped), longer_, away));
+        const v_int32x4 priorities = v_shr<10>(away);
+        return v_pack(priorities, priorities);
+    }
+
+private:
+    enum { FARTHEST = 4000 }; // in blocks, so that sums fit into 32 bits
+
+    static short weigh(int ruler, int part) { return short(std::min(int64(ruler) * part / 32, int64(SHRT_MAX))); }
+
+    static v_int16x8 setPair(short a, short b)
+    {
+        return v_reinterpret_as_s16(v_setall_u32(ushort(a) | unsigned(ushort(b)) << 16));
+    }
+
+    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
+    {
+        return v_reinterpret_as_s16(v_absdiff(a, b));
+    }
+
+    v_int16x8 even_[2], odd_[2];      // weights of the channels 0 and 2, and 1 and 3, without depth and with it
+    const v_int16x8 longer_, both_; // of the longer component, and of each
+};
+
 //! The flood of some rows; nothing crosses to others.
-class RegionFlood
+template <bool WITH_DEPTH> class RegionFlood
 {
 public:
     RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
-                FloodBuffers::Band& band, FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
-        : features_(features), centers_(buffers.centers), distance_(distance), ruler_(ruler),
-          neighbors_(labels.neighbors()), first_block_(labels.index(Point(0, rows.start))),
-          end_block_(labels.index(Point(0, rows.end))), labels_(labels), regions_(regions), queues_(band.queues),
-          batch_(band.batch), updates_(buffers.updates), priorities_(buffers.priorities)
+                std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
+        : features_(features.data()), regions_(regions.data()), labels_(labels),
+          priorities_of_(distance, ruler), step_(labels.step()), first_(labels.index(Point(-1, rows.start - 1))),
+          queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
     {
+        queues_.clear();
+        waiting_.assign(size_t(step_) * (rows.size() + 2), short(CLOSED));
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            const int* row = labels.row(y);
+            short* waiting = &waiting_[labels.index(Point(0, y)) - first_];
+            for (int x = 0; x < labels.size().width; x++)
+                waiting[x] = short(row[x] == UNSEEN ? NOT_WAITING : CLOSED);
+        }
     }
 
-    //! The mean of many hardly moves.
-    static int nextUpdate(int area) { return area + area / 4 + 1; }
-
-    //! Invariant: a block may wait several times, each time at a lower priority and for the region
-    //! that offered it; when it is first taken out, the last offer stands, and the block takes
-    //! that label. No priority lies below the one being flooded, and equal priorities keep their order,
+    //! Invariant: a block may wait several times, each time at a lower priority, and its label is the region
+    //! that offered it; when it is first taken out, the last offer stands, and the block is closed.
+    //! No priority lies below the one being flooded, and equal priorities keep their order,
     //! so the result depends on the order of the markers and nothing else.
     void run(const Point* first_seed, const Point* end_seed)
     {
-        queues_.clear();
         for (const Point* seed = first_seed; seed != end_seed; seed++)
-            spread(*seed, labels_.row(seed->y)[seed->x]);
+            spread(labels_.index(*seed));
         while (queues_.take(batch_))
             for (size_t i = 0; i < batch_.size(); i++)
             {
-                const int label = labels_.row(batch_[i].y)[batch_[i].x];
-                if (label >= 0)
+                const int block = batch_[i];
+                short& waiting = waiting_[block - first_];
+                if (waiting == CLOSED)
                     continue; // it was taken out at a lower priority before
-                settle(labels_.index(batch_[i]), OFFERED - label);
-                spread(batch_[i], OFFERED - label);
+                waiting = CLOSED;
+                regions_[labels_.data()[block]].add(features_[block]);
+                spread(block);
             }
     }
 
 private:
-    enum { OFFERED = -2 }; // OFFERED - i: waits for the region i
+    enum { CLOSED = -1, NOT_WAITING = FloodBuffers::PRIORITIES };
 
-    void settle(int block, int i)
+    unsigned bitsOf(int block) const
     {
-        labels_.data()[block] = i;
-        RegionSum& sum = regions_.sums[i];
-        sum.add(features_.data()[block]);
-        if (sum.area < updates_[i])
-            return;
-        regions_.update(i);
-        updates_[i] = nextUpdate(sum.area);
+        unsigned bits;
+        memcpy(&bits, features_ + block, sizeof(bits));
+        return bits;
     }
 
-    void spread(Point block, int i)
+    //! Offers the neighbours of a block to its region, where none offers as much.
+    void spread(int block)
     {
-        const int index = labels_.index(block);
-        for (int k = 0; k < 4; k++)
+        const int label = labels_.data()[block];
+        const FloodRegion& region = regions_[label];
+        short* waiting = &waiting_[block - first_];
+        const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
+        const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
+                                                                  bitsOf(block + 1), bitsOf(block + step_)), region,
+                                                       region.center - labels_.point(block)),
+                                        v_setall_s16(FloodBuffers::PRIORITIES - 1));
+        const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
+        const int offsets[4] = { -1, -step_, 1, step_ };
+        short priorities[8];
+        v_store(priorities, offered);
+        for (unsigned lower = v_signmask(v_sub_wrap(offered, before)) & 15; lower; lower &= lower - 1)
         {
-            const int to = index + neighbors_[k];
-            if (to < first_block_ || to >= end_block_)
-                continue; // where another thread may be writing
-            const int label = labels_.data()[to];
-            if (label >= 0 || label == OUTSIDE || label == OFFERED - i)
-                continue;
-            const Point neighbor(block.x + (k == 2) - (k == 0), block.y + (k == 3) - (k == 1));
-            const int priority = std::max(priorityOf(to, i, neighbor - centers_[i]), queues_.priority());
-            if (label != UNSEEN && priority >= priorities_[to])
-                continue; // another region offers as much
-            labels_.data()[to] = OFFERED - i;
-            priorities_[to] = ushort(priority);
-            queues_.push(neighbor, priority);
+            const int k = trailingZeros32(lower), to = block + offsets[k];
+            if (labels_.data()[to] == label)
+                continue; // it waits for this region already, whose mean was another one
+            labels_.data()[to] = label;
+            waiting[offsets[k]] = priorities[k];
+            queues_.push(to, priorities[k]);
         }
     }
 
-    //! In quarters of a level; what is higher than all queues waits in the last one.
-    int priorityOf(int block, int i, Point offset) const
-    {
-        const int64 away = (ruler_ * octagonalLength(offset)) >> 12;
-        const int64 priority = (distance_(features_.data()[block], regions_.means[i]) + away) >> 2;
-        return int(std::min<int64>(priority, FloodBuffers::PRIORITIES - 1));
-    }
-
-    const Padded<Feature>& features_;
-    const std::vector<Point>& centers_;
-    const RegionDistance distance_;
-    const int ruler_;
-    const Vec4i neighbors_;
-    const int first_block_, end_block_;
+    const Feature* features_;
+    FloodRegion* regions_;
     Padded<int>& labels_;
-    Regions& regions_;
-    BucketQueue<Point, FloodBuffers::PRIORITIES>& queues_;
-    std::vector<Point>& batch_;
-    std::vector<int>& updates_;
-    std::vector<ushort>& priorities_;
+    const NeighborPriorities<WITH_DEPTH> priorities_of_;
+    const int step_, first_;
+    BucketQueue<int, FloodBuffers::PRIORITIES>& queues_;
+    std::vector<int>& batch_;
+    std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows
 };
 
-//! Makes the buffers ready for the regions and blocks that there are.
-static void prepare(const Padded<int>& labels, const Regions& regions, int num_bands, FloodBuffers& buffers)
+//! Floods some rows from seeds, by regions that are ready in the buffers.
+static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
+                      const Point* first_seed, const Point* end_seed, FloodBuffers& buffers, FloodBuffers::Band& band,
+                      Padded<int>& labels)
 {
-    buffers.bands.resize(num_bands);
-    buffers.updates.resize(regions.size());
-    for (int i = 0; i < regions.size(); i++)
-        buffers.updates[i] = RegionFlood::nextUpdate(regions.sums[i].area);
-    buffers.priorities.resize(size_t(labels.step()) * (labels.size().height + 2));
+    if (distance.with_depth)
+        RegionFlood<true>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
+    else
+        RegionFlood<false>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
 }
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
@@ -125,25 +180,31 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
 {
     CV_TRACE_FUNCTION();
     const int first = regions.size();
-    buffers.centers.assign(first, Point());
-    buffers.centers.insert(buffers.centers.end(), markers.begin(), markers.end());
+    regions.update();
     regions.resize(first + int(markers.size()));
-    for (int i = 0; i < int(markers.size()); i++)
-    {
-        const int seed = labels.index(markers[i]);
-        labels.data()[seed] = first + i;
-        regions.sums[first + i] = RegionSum();
-        regions.sums[first + i].add(features.data()[seed]);
-        regions.update(first + i);
-    }
-    prepare(labels, regions, int(bands.size()), buffers);
+    buffers.regions.resize(regions.size());
+    buffers.bands.resize(bands.size());
     parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            RegionFlood(features, distance, ruler, bands[i].rows, buffers.bands[i], buffers, labels, regions)
-                .run(markers.data() + bands[i].markers.start, markers.data() + bands[i].markers.end);
+        {
+            const Range& own = bands[i].markers;
+            for (int m = own.start; m < own.end; m++)
+            {
+                const int seed = labels.index(markers[m]);
+                labels.data()[seed] = first + m;
+                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
+                buffers.regions[first + m].add(features.data()[seed]);
+            }
+            floodRows(features, distance, ruler, bands[i].rows, markers.data() + own.start, markers.data() + own.end,
+                      buffers, buffers.bands[i], labels);
+            for (int m = own.start; m < own.end; m++)
+            {
+                regions.sums[first + m] = buffers.regions[first + m].sum;
+                regions.update(first + m);
+            }
+        }
     });
-    regions.update();
 }
 
 void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
@@ -163,10 +224,14 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
                 seeds.push_back(Point(x, y));
     }
     const int NO_RULER = 0;
-    buffers.centers.assign(regions.size(), Point());
-    prepare(labels, regions, 1, buffers);
-    RegionFlood(features, distance, NO_RULER, Range(0, size.height), buffers.bands[0], buffers, labels, regions)
-        .run(seeds.data(), seeds.data() + seeds.size());
+    buffers.regions.resize(regions.size());
+    buffers.bands.resize(1);
+    for (int i = 0; i < regions.size(); i++)
+        buffers.regions[i] = FloodRegion(regions.sums[i], Point());
+    floodRows(features, distance, NO_RULER, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(), buffers,
+              buffers.bands[0], labels);
+    for (int i = 0; i < regions.size(); i++)
+        regions.sums[i] = buffers.regions[i].sum;
     regions.update();
 }
 

@@ -11,6 +11,32 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! What a flood reads and writes of a region, in one place.
+struct FloodRegion
+{
+    FloodRegion() {}
+    FloodRegion(const RegionSum& sum_, Point center_) : sum(sum_), center(center_), next_update(0)
+    {
+        if (sum.area > 0)
+            update();
+    }
+
+    void add(const Feature& f)
+    {
+        sum.add(f);
+        if (sum.area >= next_update)
+            update();
+    }
+
+    //! Takes the means anew.
+    void update();
+
+    RegionSum sum;
+    Point center;    //!< that the ruler counts from
+    short means[4];  //!< of the channels 0, 2, 1 and of depth
+    int next_update; //!< area at which the means are taken anew
+};
+
 //! Buffers of a flood.
 struct FloodBuffers
 {
@@ -18,14 +44,13 @@ struct FloodBuffers
 
     struct Band
     {
-        BucketQueue<Point, PRIORITIES> queues;
-        std::vector<Point> batch;
+        BucketQueue<int, PRIORITIES> queues;
+        std::vector<int> batch;
+        std::vector<short> waiting;
     };
     std::vector<Band> bands;
-    std::vector<Point> seeds;    // blocks that the flood begins with
-    std::vector<Point> centers;  // that the ruler counts from
-    std::vector<int> updates;    // area at which the means of a region are taken anew
-    std::vector<ushort> priorities; // at which a block waits
+    std::vector<Point> seeds; // blocks that the flood begins with
+    std::vector<FloodRegion> regions;
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that

@@ -6,22 +6,25 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+void doubleLabels(const Padded<int>& labels, const Range& rows, Padded<int>& doubled)
+{
+    const int width = doubled.size().width;
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int* from = labels.row(y / 2);
+        int* to = doubled.row(y);
+        for (int x = 0; x < width / 2; x++)
+            to[2 * x] = to[2 * x + 1] = from[x];
+        if (width % 2)
+            to[width - 1] = from[width / 2];
+    }
+}
+
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
 {
     CV_TRACE_FUNCTION();
     doubled.create(size, OUTSIDE);
-    parallel_for_(Range(0, size.height), [&](const Range& range)
-    {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const int* from = labels.row(y / 2);
-            int* to = doubled.row(y);
-            for (int x = 0; x < size.width / 2; x++)
-                to[2 * x] = to[2 * x + 1] = from[x];
-            if (size.width % 2)
-                to[size.width - 1] = from[size.width / 2];
-        }
-    });
+    parallel_for_(Range(0, size.height), [&](const Range& rows) { doubleLabels(labels, rows, doubled); });
 }
 
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels)

@@ -9,7 +9,10 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels of blocks of 2x2 pixels to the pixels.
+//! Labels of blocks of 2x2 pixels to some rows of the pixels.
+void doubleLabels(const Padded<int>& labels, const Range& rows, Padded<int>& doubled);
+
+//! The same for an image of a size.
 void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.

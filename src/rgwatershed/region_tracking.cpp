@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 void RegionTracker::start(const Plan& plan, const Padded<Feature>& features, const Padded<int>& labels,
                           const Regions& regions)
 {
-    measureErrors(features, plan.energy.distance, labels, regions, last_.errors);
+    measureErrors(features, plan.sweep.distance, labels, regions, last_.errors);
 }
 
 void RegionTracker::keep(const Plan& plan, const Padded<int>& labels)
@@ -33,10 +33,9 @@ bool RegionTracker::track(const Plan& plan, const Padded<Feature>& features, con
     last_.labels.copyTo(labels.view(CV_32SC1));
     regions.resize(int(last_.errors.size()));
     measureRegions(features, last_.labels, regions);
-    sweeper.start(features, plan.energy, Mat(), labels, regions);
-    sweeper.sweepAll();
-    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1);
-    measureErrors(features, plan.energy.distance, labels, regions, errors);
+    sweeper.sweepAll(features, plan.sweep, labels, regions);
+    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1, features, plan.sweep, labels, regions);
+    measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);
     if (change.changed_area > change.area / 2)
@@ -66,7 +65,7 @@ void RegionTracker::replaceChanged(const Plan& plan, const Padded<Feature>& feat
     const int num_kept = floodChanged(plan, features, mask, change, labels, regions);
     mergeAll(plan, features, num_kept, change, labels, regions);
     std::vector<int64> errors;
-    measureErrors(features, plan.energy.distance, labels, regions, errors);
+    measureErrors(features, plan.sweep.distance, labels, regions, errors);
     for (size_t i = 0; i < errors.size(); i++)
         if (change.changed[i])
             last_.errors[i] = errors[i];

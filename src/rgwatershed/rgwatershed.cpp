@@ -33,14 +33,14 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     makePyramid(frame.color, frame.depth, parameters.lab_input, top, features_);
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
-    else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweeper_, labels_[top], regions_))
+    else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
     {
         floodBlocks(plan, mask);
         sweepAndMerge(plan);
         if (parameters.temporal)
             tracker_.start(plan, features_[top], labels_[top], regions_);
     }
-    settle(frame, plan);
+    settle(frame, plan, num_iterations);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top]);
@@ -76,11 +76,12 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 void RGWatershed::sweepAndMerge(const Plan& plan)
 {
     CV_TRACE_FUNCTION();
-    sweeper_.start(features_[plan.level], plan.energy_before_merging, Mat(), labels_[plan.level], regions_);
-    sweeper_.sweepAll();
-    sweeper_.sweepAgain(SWEEPS_BEFORE_MERGING - 1);
-    mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.length_exponent, merge_buffers_,
-                        labels_[plan.level], regions_);
+    const Padded<Feature>& features = features_[plan.level];
+    Padded<int>& labels = labels_[plan.level];
+    sweepers_[plan.level].sweepAll(features, plan.sweep_before_merging, labels, regions_);
+    sweepers_[plan.level].sweepAgain(SWEEPS_BEFORE_MERGING - 1, features, plan.sweep_before_merging, labels, regions_);
+    mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.length_exponent, merge_buffers_, labels,
+                        regions_);
 }
 
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.
@@ -91,37 +92,40 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     frame.markers.copyTo(labels_[0].view(CV_32SC1), frame.markers >= 0);
     regions_.resize(frame.num_superpixels);
     measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
-    floodFromRegions(features_[0], plan.energy.distance, flood_buffers_, labels_[0], regions_);
+    floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
 }
 
 //! Step 5: level by level down to the pixels.
-void RGWatershed::settle(const Frame& frame, const Plan& plan)
+void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iterations)
 {
     CV_TRACE_FUNCTION();
     for (int level = std::max(plan.level - 1, 0); level >= 0; level--)
     {
+        const int num_sweeps = level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
+        SweepRules rules = plan.sweep;
+        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < plan.level)
             descend(frame, plan, level);
-        sweeper_.start(features_[level], plan.energy, frame.markers, labels_[level], regions_);
         if (level < plan.level && frame.mask.empty())
-            sweeper_.sweepAllOfBlocks(labels_[level + 1]);
+            sweepers_[level].sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
         else
-            sweeper_.sweepAll();
-        sweeper_.sweepAgain((level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS) - 1);
+            sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
+        sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
     }
 }
 
-//! The labels of larger blocks, and what of the mask lies outside of these.
+//! To smaller blocks. Where there is a mask, they get the labels of the larger ones, and so does what of it lies
+//! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
-    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
     regions_.divideBlocks();
     if (frame.mask.empty())
         return;
+    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
-    floodFromRegions(features_[level], plan.energy.distance, flood_buffers_, labels_[level], regions_);
+    floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
     if (level > 0)
     {
         closeUnseen(labels_[level]);
@@ -141,13 +145,14 @@ void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iter
     CV_TRACE_FUNCTION();
     if (num_iterations == 1)
         return;
-    sweeper_.start(features_[0], plan.energy, frame.markers, labels_[0], regions_);
     VariationGuard guard(frame.color, labels_[0], regions_.size());
-    for (int i = 1; i < num_iterations && sweeper_.moved(); i++)
+    SweepRules rules = plan.sweep;
+    rules.guard = &guard;
+    for (int i = 1; i < num_iterations && sweepers_[0].moved(); i++)
     {
         if (i == ITERATIONS_WITH_TIES)
             guard.forbidTies();
-        sweeper_.sweepAgain(SWEEPS_PER_ITERATION, &guard);
+        sweepers_[0].sweepAgain(SWEEPS_PER_ITERATION, features_[0], rules, labels_[0], regions_);
     }
 }
 

@@ -31,7 +31,7 @@ private:
     void floodBlocks(const Plan& plan, const Mat& mask);
     void sweepAndMerge(const Plan& plan);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
-    void settle(const Frame& frame, const Plan& plan);
+    void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
@@ -39,7 +39,7 @@ private:
     Padded<Feature> features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];
     Regions regions_;
-    BoundarySweeper sweeper_;
+    BoundarySweeper sweepers_[MAX_LEVEL + 1];
     RegionTracker tracker_;
 
     // Buffers.

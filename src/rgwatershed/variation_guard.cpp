@@ -31,7 +31,7 @@ VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int 
             areas_[label] += x - begin;
         }
     }
-    update();
+    update(Range(0, num_regions));
 }
 
 Vec3d VariationGuard::colorAt(Point p) const
@@ -51,21 +51,18 @@ bool VariationGuard::permits(Point p, int from, int to) const
     return permits_ties_ ? after <= before : after < before;
 }
 
-void VariationGuard::move(Point p, int from, int to)
+void VariationGuard::add(Point p, int region, int times)
 {
-    const Vec3d color = colorAt(p);
-    sums_[from] -= color;
-    sums_[to] += color;
-    areas_[from]--;
-    areas_[to]++;
+    sums_[region] += times * colorAt(p);
+    areas_[region] += times;
 }
 
 //! The means are taken in steps of 2^-17, so that squared distances to them are exact in doubles: the same whether or
 //! not a compiler fuses products with sums, also where a pixel lies half way between two means.
-void VariationGuard::update()
+void VariationGuard::update(const Range& regions)
 {
     const double STEPS = 1 << 17;
-    for (size_t i = 0; i < sums_.size(); i++)
+    for (int i = regions.start; i < regions.end; i++)
         for (int k = 0; k < 3; k++)
             means_[i][k] = cvRound(STEPS * sums_[i][k] / areas_[i]) / STEPS;
 }

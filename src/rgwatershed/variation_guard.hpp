@@ -20,9 +20,10 @@ public:
     bool permits(Point p, int from, int to) const;
     //! From here on it must be nearer.
     void forbidTies() { permits_ties_ = false; }
-    void move(Point p, int from, int to);
-    //! Takes the means anew.
-    void update();
+    //! Adds a pixel to a region, or takes it away where times is -1.
+    void add(Point p, int region, int times);
+    //! Takes the means of some regions anew.
+    void update(const Range& regions);
 
 private:
     Vec3d colorAt(Point p) const;

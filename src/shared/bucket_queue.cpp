@@ -51,6 +51,6 @@ template <typename Item, int PRIORITIES> void BucketQueue<Item, PRIORITIES>::app
 }
 
 template class BucketQueue<int, 256>;
-template class BucketQueue<Point, 1024>;
+template class BucketQueue<int, 1024>;
 
 }}} // namespace

@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Queues of items for the priorities 0..PRIORITIES-1, first in first out each. They are chains of chunks of one array, so
-//! memory is that of the items that wait at the same time. (height_queues.cpp)
+//! Queues of items for the priorities 0..PRIORITIES-1, first in first out each. They are chains of chunks of one array,
+//! so memory is that of the items that wait at the same time.
 template <typename Item, int PRIORITIES> class BucketQueue
 {
 public:

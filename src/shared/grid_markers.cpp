@@ -53,25 +53,6 @@ static int countRows(Size size, int n)
     return std::max(fewest, std::min(square, std::min(size.height, n)));
 }
 
-//! Cells of n markers, n <= pixels. The numbers of cells of two rows differ by one at most.
-static std::vector<Rect> divideIntoCells(Size size, int n)
-{
-    const int rows = countRows(size, n);
-    std::vector<Rect> cells(n);
-    for (int i = 0; i < rows; i++)
-    {
-        const int first = divide(n, i, rows), last = divide(n, i + 1, rows);
-        const int top = divide(size.height, i, rows), bottom = divide(size.height, i + 1, rows);
-        for (int k = first; k < last; k++)
-        {
-            const int left = divide(size.width, k - first, last - first);
-            const int right = divide(size.width, k - first + 1, last - first);
-            cells[k] = Rect(Point(left, top), Point(right, bottom));
-        }
-    }
-    return cells;
-}
-
 void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands)
 {
     const int rows = countRows(size, num_markers);
@@ -88,15 +69,25 @@ void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerB
     }
 }
 
+//! Rows of cells may differ by one cell.
 void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers)
 {
     CV_TRACE_FUNCTION();
-    const std::vector<Rect> cells = divideIntoCells(gradient.size(), num_markers);
+    const Size size = gradient.size();
+    const int rows = countRows(size, num_markers);
     markers.resize(num_markers);
-    parallel_for_(Range(0, num_markers), [&](const Range& range)
+    parallel_for_(Range(0, rows), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            markers[i] = findMarker(gradient, cells[i]);
+        {
+            const int first = divide(num_markers, i, rows), last = divide(num_markers, i + 1, rows);
+            const int top = divide(size.height, i, rows), bottom = divide(size.height, i + 1, rows);
+            for (int k = first, left = 0, right; k < last; k++, left = right)
+            {
+                right = divide(size.width, k - first + 1, last - first);
+                markers[k] = findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
+            }
+        }
     });
 }
 

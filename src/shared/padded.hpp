@@ -44,7 +44,15 @@ public:
     Mat view(int type) { return Mat(size(), type, row(0), buffer_.step); }
 
     //! Copies the image without its frame, whose elements have a type.
-    void copyTo(int type, Mat& image) const { Mat(size(), type, const_cast<T*>(row(0)), buffer_.step).copyTo(image); }
+    void copyTo(int type, Mat& image) const
+    {
+        image.create(size(), type);
+        parallel_for_(Range(0, image.rows), [&](const Range& rows)
+        {
+            for (int y = rows.start; y < rows.end; y++)
+                std::copy(row(y), row(y) + image.cols, image.ptr<T>(y));
+        });
+    }
 
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }

@@ -12,12 +12,12 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth. Weights are in 1/256, the distance in 1/16 of a level.
-//! @note Equation (3) divided by the larger of alpha and 1 - alpha. So the weight of colour against the other terms of
-//! a priority is the same with depth and without.
+//! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
+//! or the same everywhere, leaves colour as it is beside the other terms of a height.
 class RegionDistance
 {
 public:
-    //! with_depth may be false if no feature has depth, which makes some loops faster.
+    //! with_depth may be false if no feature has depth; it makes some loops faster.
     RegionDistance(int lightness, int chroma, float alpha, bool with_depth_) : with_depth(with_depth_)
     {
         const float larger = std::max(alpha, 1 - alpha);
@@ -41,27 +41,34 @@ public:
         return (w[0] * d0 + w[1] * d1 + w[2] * d2 + w[3] * d3) >> 8;
     }
 
-    //! The square of the distance, in squared levels.
+    //! The square of it, in squared levels.
     int squared(const Feature& f, const RegionMean& r) const
     {
         const int d = (*this)(f, r);
         return (d * d) >> 8;
     }
 
-    //! The squares of the distances to two regions.
-    template <bool WITH_DEPTH> Vec2i squared(const Feature& f, const RegionMean& a, const RegionMean& b) const
+    //! The squares of many pairs. Arrays have room for a multiple of 4, so that no pair is treated in another way.
+    template <bool WITH_DEPTH> void squared(const Feature* features, const RegionMean* means, int n, int* squares) const
     {
-        const short* weights_a = WITH_DEPTH ? weightsOf(f, a) : weights[0];
-        const short* weights_b = WITH_DEPTH ? weightsOf(f, b) : weights[0];
-        unsigned bytes;
-        memcpy(&bytes, &f, sizeof(bytes));
-        const v_uint16x8 feature = v_shl<4>(v_expand_low(v_reinterpret_as_u8(v_setall_u32(bytes))));
-        const v_int16x8 means = v_load_halves(a.color, b.color);
-        const v_int16x8 difference = v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(feature), means));
-        int sums[4];
-        v_store(sums, v_dotprod(difference, v_load_halves(weights_a, weights_b)));
-        const int d = (sums[0] + sums[1]) >> 8, e = (sums[2] + sums[3]) >> 8;
-        return Vec2i((d * d) >> 8, (e * e) >> 8);
+        const v_int32x4 color = v_setall_s32(pairOf(weights[0], 0)), depth = v_setall_s32(pairOf(weights[0], 2));
+        for (int i = 0; i < n; i += 4)
+        {
+            v_int32x4 first = color, second = depth;
+            if (WITH_DEPTH)
+                splitPairs(v_load_halves(weightsOf(features[i], means[i]), weightsOf(features[i + 1], means[i + 1])),
+                           v_load_halves(weightsOf(features[i + 2], means[i + 2]),
+                                         weightsOf(features[i + 3], means[i + 3])), first, second);
+            v_uint16x8 low, high;
+            v_expand(v_load(features[i].color), low, high);
+            v_int32x4 color_differences, depth_differences;
+            splitPairs(difference(low, means[i].color), difference(high, means[i + 2].color), color_differences,
+                       depth_differences);
+            const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
+                v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second)));
+            const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
+            v_store(squares + i, v_shr<8>(v_dotprod(d, d)));
+        }
     }
 
     bool with_depth;
@@ -69,6 +76,27 @@ public:
     short weights[2][4]; //!< of a feature, without depth and with it
 
 private:
+    //! Two of the four values of a feature, as they lie in memory.
+    static int pairOf(const short* values, int first)
+    {
+        int pair;
+        memcpy(&pair, values + first, sizeof(pair));
+        return pair;
+    }
+
+    //! From four times four values the first two of each, and the last two.
+    static void splitPairs(const v_int16x8& a, const v_int16x8& b, v_int32x4& first, v_int32x4& second)
+    {
+        v_int32x4 even, odd;
+        v_zip(v_reinterpret_as_s32(a), v_reinterpret_as_s32(b), even, odd);
+        v_zip(even, odd, first, second);
+    }
+
+    static v_int16x8 difference(const v_uint16x8& features, const short* means)
+    {
+        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), v_load(means)));
+    }
+
     const short* weightsOf(const Feature& f, const RegionMean& r) const
     {
         return weights[(f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)];

@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_REGION_CHOICE_HPP
+#define OPENCV_GWATERSHED_REGION_CHOICE_HPP
+
+#include "rgwatershed/neighbor_masks.hpp"
+#include "shared/region_distance.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Which of the regions beside a pixel has the lowest energy: the squared distance of the pixel to its mean, less the
+//! boundary that it saves.
+class RegionChoice
+{
+public:
+    enum { BATCH = 256 };
+
+    //! A pixel that is better off in another region, and the mask of its neighbours that are in that.
+    struct Gain
+    {
+        int pixel, region, mask;
+    };
+
+    //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
+    RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                 const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
+
+    //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
+    //! each. Returns how many. Pixels that cannot leave are none of them.
+    int findGains(const int* pixels, int n, Gain* gains) const;
+
+private:
+    //! Pixels that another region may win.
+    struct OpenPixels
+    {
+        int count;
+        int indices[BATCH];
+        int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
+        int squares[BATCH]; // of the distance to the region of the first 4-neighbour that is not in its own
+    };
+
+    //! The best choice of a pixel so far.
+    struct Choice
+    {
+        int region, mask, energy, seen; // seen: neighbours in regions that were looked at
+    };
+
+    template <bool WITH_DEPTH> void findOpen(const int* pixels, int n, OpenPixels& open) const;
+
+    //! Takes the region of the first 4-neighbour that was not seen, if it is better.
+    void compare(int pixel, int square, Choice& choice) const;
+
+    const MaskTable& table_;
+    const Feature* const features_;
+    const int* const labels_;
+    const uchar* const masks_;
+    const RegionMean* const means_;
+    const RegionDistance distance_;
+    const int step_;
+    // By mask of the neighbours that agree:
+    int savings_[256];                           // of energy
+    int bounds_[256];                            // square of its own distance above which another region may win
+    int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours that do not agree
+};
+
+}}} // namespace
+
+#endif
