@@ -23,10 +23,11 @@ void MergeGraph::setRegions(int num_regions, bool with_contrasts)
     const int num_bands = (num_regions + BAND - 1) / BAND;
     num_regions_ = num_regions;
     with_contrasts_ = with_contrasts;
-    lists_.resize(num_bands + 1);
+    known_.resize(num_bands + 1);
+    fresh_.resize(num_bands + 1);
     leaving_.resize(num_bands + 1);
     for (int k = 0; k <= num_bands; k++)
-        lists_[k].clear();
+        known_[k].count = fresh_[k].count = leaving_[k].count = 0;
 }
 
 //! Regions that touch a row mostly have numbers that are near each other, so segments are long.
@@ -34,7 +35,7 @@ void MergeGraph::findSegments(EdgeRows& rows) const
 {
     rows.segments.clear();
     const std::vector<MergeEdge>& edges = rows.pieces.edges;
-    for (size_t i = 0; i < edges.size(); i++)
+    for (size_t i = 0; i < rows.pieces.count; i++)
     {
         const int list = listOf(edges[i].a, edges[i].b);
         if (rows.segments.empty() || rows.segments.back().list != list)
@@ -52,7 +53,7 @@ void MergeGraph::collect()
         for (size_t i = 0; i < rows_[k].segments.size(); i++)
         {
             const EdgeRows::Segment& segment = rows_[k].segments[i];
-            lists_[segment.list].append(rows_[k].pieces, segment.first, segment.last);
+            fresh_[segment.list].append(rows_[k].pieces, segment.first, segment.last, with_contrasts_);
         }
 }
 
@@ -70,27 +71,30 @@ void MergeGraph::relabel(const std::vector<int>& parents, const std::vector<ucha
     handOver();
 }
 
-//! In place, so edges keep their order.
+//! In place, and without branches: each edge is written to both lists, and stays in one of them.
 template <bool CONTRAST> void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
 {
-    EdgeList& list = lists_[k];
-    MergeEdge* edges = list.edges.data();
-    size_t count = 0;
-    for (size_t i = 0; i < list.edges.size(); i++)
+    EdgeList &known = known_[k], &fresh = fresh_[k];
+    fresh.reserve(known.count + 1, CONTRAST);
+    MergeEdge *edges = known.edges.data(), *fresh_edges = fresh.edges.data();
+    size_t num_known = 0, num_fresh = 0;
+    for (size_t i = 0; i < known.count; i++)
     {
-        const int a = parents[edges[i].a], b = parents[edges[i].b];
-        const bool is_new = (changed[a] | changed[b]) != 0;
-        const MergeEdge edge = { std::min(a, b), std::max(a, b), edges[i].length,
-                                 is_new ? int(MergeEdge::UNKNOWN) : edges[i].cost };
-        edges[count] = edge;
+        MergeEdge edge = edges[i];
+        const int a = parents[edge.a], b = parents[edge.b], list = listOf(a, b);
+        const bool is_fresh = (changed[a] | changed[b]) != 0, exists = a != b;
+        edge.a = std::min(a, b);
+        edge.b = std::max(a, b);
+        edges[num_known] = fresh_edges[num_fresh] = edge;
         if (CONTRAST)
-            list.contrasts[count] = list.contrasts[i];
-        if (listOf(a, b) != k && a != b)
-            leaving_[k].append(list, count, count + 1);
-        else
-            count += a != b;
+            known.contrasts[num_known] = fresh.contrasts[num_fresh] = known.contrasts[i];
+        if (list != k)
+            leaving_[k].append(fresh, num_fresh, num_fresh + exists, CONTRAST);
+        num_known += exists & !is_fresh & (list == k);
+        num_fresh += exists & is_fresh & (list == k);
     }
-    list.resize(count, CONTRAST);
+    known.count = num_known;
+    fresh.count = num_fresh;
 }
 
 //! Edges of regions that were united across the limit of a band.
@@ -99,55 +103,62 @@ void MergeGraph::handOver()
     for (size_t k = 0; k < leaving_.size(); k++)
     {
         const EdgeList& from = leaving_[k];
-        for (size_t i = 0; i < from.edges.size(); i++)
-            lists_[listOf(from.edges[i].a, from.edges[i].b)].append(from, i, i + 1);
-        leaving_[k].clear();
+        for (size_t i = 0; i < from.count; i++)
+            fresh_[listOf(from.edges[i].a, from.edges[i].b)].append(from, i, i + 1, with_contrasts_);
+        leaving_[k].count = 0;
     }
 }
 
 void MergeGraph::join(int k, std::vector<int>& table)
 {
     if (with_contrasts_)
-        join<true>(lists_[k], table);
+        join<true>(fresh_[k], table);
     else
-        join<false>(lists_[k], table);
+        join<false>(fresh_[k], table);
 }
 
-//! The table has the index of each edge of unknown cost, in the first free slot; half of the slots stay free.
-template <bool CONTRAST> void MergeGraph::join(EdgeList& list, std::vector<int>& table) const
+//! The table has the index of each edge, in the first free slot; most slots stay free. An edge is written in any case,
+//! and the next one over it if it was there before.
+template <bool CONTRAST> void MergeGraph::join(EdgeList& list, std::vector<int>& table)
 {
     const int NONE = -1;
     int bits = 4;
-    while ((size_t(1) << bits) < 2 * list.edges.size())
+    while ((size_t(1) << bits) < 3 * list.count)
         bits++;
     table.assign(size_t(1) << bits, NONE);
     const size_t last_slot = table.size() - 1;
     MergeEdge* edges = list.edges.data();
     int count = 0;
-    for (size_t i = 0; i < list.edges.size(); i++)
+    for (size_t i = 0; i < list.count; i++)
     {
-        const MergeEdge edge = edges[i];
-        int known = NONE;
-        if (edge.cost == MergeEdge::UNKNOWN)
+        MergeEdge edge = edges[i];
+        size_t slot = (unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u) >> (32 - bits);
+        int found = table[slot];
+        while (found != NONE && (edges[found].a != edge.a || edges[found].b != edge.b))
         {
-            size_t slot = (unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u) >> (32 - bits);
-            while ((known = table[slot]) != NONE && (edges[known].a != edge.a || edges[known].b != edge.b))
-                slot = (slot + 1) & last_slot;
-            table[slot] = known == NONE ? count : known;
+            slot = (slot + 1) & last_slot;
+            found = table[slot];
         }
-        const int to = known == NONE ? count : known;
+        const int length = edge.length, to = found == NONE ? count : found;
+        edge.length = 0;
         edges[count] = edge;
+        edges[to].length += length;
         if (CONTRAST)
-            list.contrasts[count] = list.contrasts[i];
-        if (known != NONE)
         {
-            edges[to].length += edge.length;
-            if (CONTRAST)
-                list.contrasts[to] += list.contrasts[i];
+            const int64 contrast = list.contrasts[i];
+            list.contrasts[count] = 0;
+            list.contrasts[to] += contrast;
         }
-        count += known == NONE;
+        table[slot] = to;
+        count += found == NONE;
     }
-    list.resize(count, CONTRAST);
+    list.count = count;
+}
+
+void MergeGraph::settle(int k)
+{
+    known_[k].append(fresh_[k], 0, fresh_[k].count, with_contrasts_);
+    fresh_[k].count = 0;
 }
 
 }}} // namespace

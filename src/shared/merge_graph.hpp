@@ -12,32 +12,34 @@ namespace cv { namespace ximgproc { namespace gws {
 //! What two regions have in common. 16 bytes, because merging reads all edges in each round.
 struct MergeEdge
 {
-    enum { UNKNOWN = INT_MIN };
-
     int a, b;   //!< the regions, a < b
     int length; //!< in pixel edges
-    int cost;   //!< of their union, or UNKNOWN
+    int cost;   //!< of their union, once it is known
 };
 
-//! Some edges, and beside them the sums of their contrasts, if they are asked for.
+//! Some edges, and beside them the sums of their contrasts, if they are asked for. Behind them is room, which stays.
 struct EdgeList
 {
     std::vector<MergeEdge> edges;
     std::vector<int64> contrasts;
+    size_t count = 0;
 
-    void resize(size_t count, bool with_contrasts)
+    void reserve(size_t room, bool with_contrasts)
     {
-        edges.resize(count);
-        contrasts.resize(with_contrasts ? count : 0);
+        if (edges.size() < room)
+            edges.resize(room + room / 4);
+        if (with_contrasts && contrasts.size() < room)
+            contrasts.resize(room + room / 4);
     }
     //! Adds edges first..last-1 of another list.
-    void append(const EdgeList& from, size_t first, size_t last)
+    void append(const EdgeList& from, size_t first, size_t last, bool with_contrasts)
     {
-        edges.insert(edges.end(), from.edges.begin() + first, from.edges.begin() + last);
-        if (!from.contrasts.empty())
-            contrasts.insert(contrasts.end(), from.contrasts.begin() + first, from.contrasts.begin() + last);
+        reserve(count + last - first, with_contrasts);
+        std::copy(from.edges.begin() + first, from.edges.begin() + last, edges.begin() + count);
+        if (with_contrasts)
+            std::copy(from.contrasts.begin() + first, from.contrasts.begin() + last, contrasts.begin() + count);
+        count += last - first;
     }
-    void clear() { resize(0, false); }
 };
 
 //! Writes to `positions`, in order, where two rows differ; it has room for cols + 3. Returns how many these are.
@@ -74,22 +76,28 @@ public:
     enum { BAND_SHIFT = 11, BAND = 1 << BAND_SHIFT }; //!< regions in a band
 
     int numRegions() const { return num_regions_; }
-    int numBands() const { return int(lists_.size()) - 1; }
+    int numBands() const { return int(known_.size()) - 1; }
     Range band(int k) const { return Range(k * BAND, std::min((k + 1) * BAND, num_regions_)); }
 
-    //! The edges of a band, or for numBands() those between bands.
-    EdgeList& list(int k) { return lists_[k]; }
+    bool withContrasts() const { return with_contrasts_; }
+
+    //! The edges of a band, or for numBands() those between bands. Those of known cost.
+    EdgeList& known(int k) { return known_[k]; }
+    //! The others. Two regions may have several of them, until they are joined.
+    EdgeList& fresh(int k) { return fresh_[k]; }
 
     //! The graph of a CV_32SC1 label map; labels below 0 have no edges. contrast(p, q) is that of neighbouring pixels.
-    //! Two regions may have several edges as yet.
     template <typename Contrast> void build(const Mat& labels, int num_regions, const Contrast& contrast);
 
-    //! Gives the edges the regions that took theirs in, in one step. What changed gets an unknown cost. Two regions may
-    //! have several edges then.
+    //! Gives the edges the regions that took theirs in, in one step. Those of regions that changed become fresh.
+    //! There must be no fresh ones before.
     void relabel(const std::vector<int>& parents, const std::vector<uchar>& changed);
 
-    //! Makes one edge of those between the same regions in a list. Those of known cost are the only ones of theirs.
+    //! Makes one edge of the fresh ones between the same regions.
     void join(int k, std::vector<int>& table);
+
+    //! The costs of the fresh ones are known now.
+    void settle(int k);
 
     //! Calls body(k, table) for all bands, at the same time if that pays. A table is for calls one after the other.
     template <typename Body> void forBands(const Body& body);
@@ -100,12 +108,12 @@ private:
     void findSegments(EdgeRows& rows) const;
     void collect();
     template <bool CONTRAST> void relabel(int k, const int* parents, const uchar* changed);
-    template <bool CONTRAST> void join(EdgeList& list, std::vector<int>& table) const;
+    template <bool CONTRAST> static void join(EdgeList& list, std::vector<int>& table);
     void handOver();
 
     int num_regions_ = 0;
     bool with_contrasts_ = false;
-    std::vector<EdgeList> lists_, leaving_; // leaving: of each list, those that go to another one
+    std::vector<EdgeList> known_, fresh_, leaving_; // leaving: of each list, those that go to another one
     std::vector<EdgeRows> rows_;
     std::vector<std::vector<int> > tables_;
 };
@@ -115,7 +123,7 @@ template <typename Body> void MergeGraph::forBands(const Body& body)
     const size_t FEW = 8192; // edges
     size_t num_edges = 0;
     for (int k = 0; k < numBands(); k++)
-        num_edges += lists_[k].edges.size();
+        num_edges += known_[k].count + fresh_[k].count;
     tables_.resize(numBands() + 1);
     const auto work = [&](const Range& range)
     {
@@ -128,44 +136,32 @@ template <typename Body> void MergeGraph::forBands(const Body& body)
         parallel_for_(Range(0, numBands()), work);
 }
 
-//! Adds pixel edges side by side, and without branches: what is none, or not complete, is written over.
-class EdgeWriter
+//! Adds an edge without branches: what is none, or not complete, is written over by the next.
+inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast, EdgeList& to)
 {
-public:
-    EdgeWriter(EdgeList& to, size_t count) : to_(to), count_(count) {}
-
-    void add(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast)
-    {
-        const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length,
-                                 int(MergeEdge::UNKNOWN) };
-        to_.edges[count_] = edge;
-        if (with_contrast)
-            to_.contrasts[count_] = contrast;
-        count_ += complete & (edge.a >= 0);
-    }
-    size_t count() const { return count_; }
-
-private:
-    EdgeList& to_;
-    size_t count_;
-};
+    const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length, 0 };
+    to.edges[to.count] = edge;
+    if (with_contrast)
+        to.contrasts[to.count] = contrast;
+    to.count += complete & (edge.a >= 0);
+}
 
 //! Edges between the pixels of a row.
 template <typename Contrast>
-void listEdgesRight(const Mat& labels, int y, const Contrast& contrast, int* positions, EdgeWriter& writer)
+void listEdgesRight(const Mat& labels, int y, const Contrast& contrast, int* positions, EdgeList& to)
 {
     const int* row = labels.ptr<int>(y);
     const int count = listDifferences(row, row + 1, labels.cols - 1, positions);
     for (int i = 0; i < count; i++)
     {
         const int x = positions[i];
-        writer.add(row[x], row[x + 1], 1, contrast(Point(x, y), Point(x + 1, y)), true, Contrast::COUNTS);
+        addEdge(row[x], row[x + 1], 1, contrast(Point(x, y), Point(x + 1, y)), true, Contrast::COUNTS, to);
     }
 }
 
 //! Edges between a row and the one below. Those side by side between the same regions are one.
 template <typename Contrast>
-void listEdgesBelow(const Mat& labels, int y, const Contrast& contrast, int* positions, EdgeWriter& writer)
+void listEdgesBelow(const Mat& labels, int y, const Contrast& contrast, int* positions, EdgeList& to)
 {
     const int *row = labels.ptr<int>(y), *below = labels.ptr<int>(y + 1);
     const int count = listDifferences(row, below, labels.cols, positions);
@@ -178,7 +174,7 @@ void listEdgesBelow(const Mat& labels, int y, const Contrast& contrast, int* pos
         const bool ends = (next != x + 1) | (row[next] != row[x]) | (below[next] != below[x]);
         length++;
         sum += contrast(Point(x, y), Point(x, y + 1));
-        writer.add(row[x], below[x], length, sum, ends, Contrast::COUNTS);
+        addEdge(row[x], below[x], length, sum, ends, Contrast::COUNTS, to);
         length = ends ? 0 : length;
         sum = ends ? 0 : sum;
     }
@@ -188,19 +184,14 @@ template <typename Contrast>
 void listEdges(const Mat& labels, const Range& range, const Contrast& contrast, EdgeRows& rows)
 {
     rows.positions.resize(labels.cols + 4);
-    size_t count = 0;
+    rows.pieces.count = 0;
     for (int y = range.start; y < range.end; y++)
     {
-        const size_t room = count + 2 * labels.cols;
-        if (rows.pieces.edges.size() < room || rows.pieces.contrasts.size() < (Contrast::COUNTS ? room : 0))
-            rows.pieces.resize(2 * room, Contrast::COUNTS);
-        EdgeWriter writer(rows.pieces, count);
-        listEdgesRight(labels, y, contrast, rows.positions.data(), writer);
+        rows.pieces.reserve(rows.pieces.count + 2 * labels.cols + 1, Contrast::COUNTS);
+        listEdgesRight(labels, y, contrast, rows.positions.data(), rows.pieces);
         if (y + 1 < labels.rows)
-            listEdgesBelow(labels, y, contrast, rows.positions.data(), writer);
-        count = writer.count();
+            listEdgesBelow(labels, y, contrast, rows.positions.data(), rows.pieces);
     }
-    rows.pieces.resize(count, Contrast::COUNTS);
 }
 
 template <typename Contrast> void MergeGraph::build(const Mat& labels, int num_regions, const Contrast& contrast)

@@ -148,48 +148,55 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
 //! Finds the costs of all unions, and the best one of each region.
 void SimilarMerger::evaluate()
 {
-    const int between = b_.graph.numBands();
     b_.graph.forBands([&](int k, std::vector<int>& table)
     {
         const std::vector<int>& active = b_.bands[k].active;
         for (size_t i = 0; i < active.size(); i++)
             b_.best[active[i]] = NO_PRICE;
-        b_.graph.join(k, table);
-        if (contrast_exponent_ > 0)
-            evaluate<true>(b_.graph.list(k));
-        else
-            evaluate<false>(b_.graph.list(k));
+        evaluate(k, table);
     });
-    b_.graph.join(between, b_.table);
-    if (contrast_exponent_ > 0)
-        evaluate<true>(b_.graph.list(between));
-    else
-        evaluate<false>(b_.graph.list(between));
+    evaluate(b_.graph.numBands(), b_.table);
 }
 
-template <bool CONTRAST> void SimilarMerger::evaluate(EdgeList& list)
+void SimilarMerger::evaluate(int k, std::vector<int>& table)
+{
+    b_.graph.join(k, table);
+    if (b_.graph.withContrasts())
+        findCosts<true>(b_.graph.fresh(k));
+    else
+        findCosts<false>(b_.graph.fresh(k));
+    b_.graph.settle(k);
+    findBest(b_.graph.known(k));
+}
+
+template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
-    uint64* best = b_.best.data();
     const bool with_depth = distance_.with_depth;
     const int length_exponent = length_exponent_, contrast_exponent = contrast_exponent_;
-    for (size_t i = 0; i < list.edges.size(); i++)
+    for (size_t i = 0; i < list.count; i++)
     {
         MergeEdge& edge = list.edges[i];
-        if (edge.cost == MergeEdge::UNKNOWN)
-        {
-            const MergeRegion &a = records[edge.a], &b = records[edge.b];
-            const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
-                                            : squaredDistance(a.mean, b.mean);
-            const int log_length = logarithm(float(edge.length));
-            edge.cost = unionCost(distance, a, b, log_length, length_exponent);
-            if (CONTRAST)
-                edge.cost += contrast_exponent *
-                             (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
-        }
-        const uint64 price = priceOf(edge.cost, edge.a, edge.b);
-        best[edge.a] = std::min(best[edge.a], price);
-        best[edge.b] = std::min(best[edge.b], price);
+        const MergeRegion &a = records[edge.a], &b = records[edge.b];
+        const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
+                                        : squaredDistance(a.mean, b.mean);
+        const int log_length = logarithm(float(edge.length));
+        int cost = unionCost(distance, a, b, log_length, length_exponent);
+        if (CONTRAST)
+            cost += contrast_exponent * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
+        edge.cost = cost;
+    }
+}
+
+void SimilarMerger::findBest(const EdgeList& list)
+{
+    uint64* best = b_.best.data();
+    for (size_t i = 0; i < list.count; i++)
+    {
+        const MergeEdge& edge = list.edges[i];
+        const uint64 price = priceOf(edge.cost, edge.a, edge.b), best_a = best[edge.a], best_b = best[edge.b];
+        best[edge.a] = price < best_a ? price : best_a;
+        best[edge.b] = price < best_b ? price : best_b;
     }
 }
 

@@ -71,7 +71,9 @@ private:
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
-    template <bool CONTRAST> void evaluate(EdgeList& list);
+    void evaluate(int k, std::vector<int>& table);
+    template <bool CONTRAST> void findCosts(EdgeList& list) const;
+    void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);
     void choose(size_t count);
