@@ -4,7 +4,7 @@
 
 #include "results/adjacency.hpp"
 #include "shared/pixel.hpp"
-#include "shared/region_graph.hpp"
+#include "results/region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

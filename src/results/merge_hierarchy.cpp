@@ -14,6 +14,8 @@ static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
 struct FeatureContrast
 {
+    enum { COUNTS = 1 };
+
     int operator()(Point p, Point q) const
     {
         return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
@@ -33,13 +35,12 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
     const FeatureContrast contrast = { features, distance };
-    addBoundaries(labels, contrast, merger.graph());
-    merger.run(1);
+    buffers.graph.build(labels, num_labels, contrast);
+    SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
+    unions_ = merger.runToTheEnd();
 
     labels.copyTo(labels_);
-    unions_ = merger.unions();
     num_labels_ = num_labels;
 }
 

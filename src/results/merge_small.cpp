@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "results/merge_small.hpp"
-#include "shared/region_graph.hpp"
+#include "results/region_graph.hpp"
 #include "shared/renumber.hpp"
 #include <set>
 

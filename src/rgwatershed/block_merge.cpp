@@ -13,13 +13,13 @@ void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int le
     CV_TRACE_FUNCTION();
     if (regions.size() <= num_regions)
         return;
-    SimilarMerger merger(distance, length_exponent, 0, buffers, regions);
     Mat map = labels.view(CV_32SC1);
-    addBoundaries(map, NoContrast(), merger.graph());
+    buffers.graph.build(map, regions.size(), WithoutContrast());
+    SimilarMerger merger(distance, length_exponent, 0, buffers, regions);
     merger.run(num_regions);
 
+    const std::vector<int>& parents = merger.parents();
     std::vector<int> numbers;
-    const std::vector<int>& parents = merger.graph().parents();
     const int left = numberRegions(parents, numbers);
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)

@@ -115,13 +115,15 @@ void RegionTracker::mergeAll(const Plan& plan, const Padded<Feature>& features, 
     std::vector<int> areas(regions.size()), numbers;
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
+    merge_buffers_.graph.build(map, regions.size(), WithoutContrast());
     SimilarMerger merger(plan.flood_distance, plan.length_exponent, 0, merge_buffers_, regions);
-    addBoundaries(map, NoContrast(), merger.graph());
     merger.run(int(change.changed.size()));
-    nameGroups(merger.graph().parents(), areas, names_, num_kept, numbers);
+    const std::vector<int>& parents = merger.parents();
+    nameGroups(parents, areas, names_, num_kept, numbers);
     renumber(numbers, map);
-    for (size_t i = 0; i < merger.unions().size(); i++)
-        change.changed[numbers[merger.unions()[i][1]]] = 1;
+    for (size_t i = 0; i < parents.size(); i++)
+        if (parents[i] != int(i))
+            change.changed[numbers[i]] = 1;
     regions.resize(int(change.changed.size()));
     measureRegions(features, map, regions);
 }

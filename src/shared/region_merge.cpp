@@ -6,150 +6,312 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+// A round: each region finds the neighbour with which its union costs least. Where two regions are that to each other,
+// they are a pair; the cheaper pairs are united. All is done by passes over the edges and over the regions, in the
+// order of the image. No region is in two pairs, so bands of regions can be worked on at the same time.
+
+// Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
+static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
+static const uint64 NO_PRICE = ~uint64(0);
+
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
-static int logarithm(int64 value)
+static inline int logarithm(float value)
 {
     Cv32suf bits;
-    bits.f = float(value);
+    bits.f = value;
     return (bits.i - (127 << 23)) >> 15;
+}
+
+//! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
+static inline uint64 priceOf(int cost, int a, int b)
+{
+    return (uint64(unsigned(cost) ^ 0x80000000u) << 32) | unsigned(a ^ b);
+}
+
+static inline int neighborOf(int region, uint64 price)
+{
+    return int(unsigned(price)) ^ region;
+}
+
+//! Of weighted means, in 1/256 of a squared level.
+static inline int squaredDistance(const short* a, const short* b)
+{
+    const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
+    return d0 * d0 + d1 * d1 + d2 * d2;
+}
+
+//! The same with depth, which some may not have, with the weights of the flood.
+static int squaredDistance(const RegionDistance& distance, const short* a, const short* b)
+{
+    const int sum = squaredDistance(a, b);
+    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
+        return sum;
+    const int depth = (distance.depth_share * (a[3] - b[3])) >> 8;
+    return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
+}
+
+//! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
+//! (length of the boundary / root of the smaller area)^-length exponent, as a logarithm: the exponents
+//! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
+//! that lets small regions go first where colours are equal, and a bonus for long boundaries.
+//! It is the same for both orders of the regions.
+static inline int unionCost(int squared_distance, const MergeRegion& a, const MergeRegion& b, int log_length,
+                            int length_exponent)
+{
+    const int areas = a.log_area + b.log_area - logarithm(a.area + b.area);
+    return 16 * logarithm(float(squared_distance + 4 * 256)) + 28 * areas -
+           length_exponent * (log_length - std::min(a.log_area, b.log_area) / 2);
 }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                              MergeBuffers& buffers, Regions& regions)
     : distance_(distance), length_exponent_(length_exponent), contrast_exponent_(contrast_exponent),
-      regions_(regions), graph_(buffers.graph), queued_at_(buffers.queued_at), entries_(buffers.entries),
-      first_(buffers.first), last_(buffers.last), lowest_(COSTS)
+      b_(buffers), regions_(regions), num_left_(regions.size())
 {
-    graph_.reset(regions.size());
-    entries_.clear();
-    first_.assign(COSTS, int(NONE));
-    last_.assign(COSTS, int(NONE));
+    start();
 }
 
-//! Invariant: each boundary waits at the cost that it had when it was queued last. Where the cost has risen it is
-//! queued again when its turn comes; where it has fallen, at once, but of a region with many neighbours only where the
-//! boundary has become longer. So a merger is as much work as the region with fewer neighbours has neighbours.
 void SimilarMerger::run(int num_regions)
 {
-    queued_at_.assign(graph_.boundaries().size(), 0);
-    for (int i = 0; i < int(graph_.boundaries().size()); i++)
-        push(i, cost(graph_.boundaries()[i]));
-    int left = regions_.size();
-    while (left > num_regions)
+    while (num_left_ > num_regions && runRound(num_regions, false))
+        b_.graph.relabel(b_.parents, b_.changed);
+}
+
+std::vector<Vec2i> SimilarMerger::runToTheEnd()
+{
+    std::vector<Vec2i> unions;
+    while (runRound(1, true))
     {
-        const int boundary = pop();
-        if (boundary == NONE)
-            break;
-        const int now = cost(graph_.boundaries()[boundary]);
-        if (now > lowest_)
-        {
-            push(boundary, now);
-            continue;
-        }
-        unite(graph_.boundaries()[boundary].regions[0], graph_.boundaries()[boundary].regions[1]);
-        left--;
+        for (size_t i = 0; i < b_.chosen.size(); i++)
+            unions.push_back(Vec2i(b_.chosen[i].from, b_.chosen[i].to));
+        b_.graph.relabel(b_.parents, b_.changed);
     }
+    return unions;
 }
 
-//! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
-//! (mean contrast of the boundary + 1 level)^contrast exponent /
-//! (length of the boundary / root of the smaller area)^length exponent, as a logarithm: the exponents
-//! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
-//! that lets small regions go first where colours are equal, and a bonus for long boundaries.
-int SimilarMerger::cost(const RegionGraph::Boundary& boundary) const
+void SimilarMerger::start()
 {
-    const int a = boundary.regions[0], b = boundary.regions[1];
-    const int area_a = regions_.sums[a].area, area_b = regions_.sums[b].area;
-    const int log_a = logarithm(area_a), log_b = logarithm(area_b);
-    const int areas = log_a + log_b - logarithm(int64(area_a) + area_b);
-    const int log_length = logarithm(boundary.length), length = log_length - std::min(log_a, log_b) / 2;
-    const int distance = squaredDistance(regions_.means[a], regions_.means[b]);
-    int sum = 16 * logarithm(distance + 4 * 256) + 28 * areas - length_exponent_ * length;
-    if (contrast_exponent_ > 0)
-        sum += contrast_exponent_ * (logarithm(boundary.contrast + 16 * int64(boundary.length)) - log_length);
-    return std::min(std::max(sum >> 6, 0), COSTS - 1);
+    const int n = regions_.size();
+    b_.records.resize(n);
+    b_.parents.resize(n);
+    b_.changed.resize(n);
+    b_.best.resize(n);
+    b_.bands.resize(b_.graph.numBands());
+    b_.graph.forBands([&](int k, std::vector<int>&)
+    {
+        const Range band = b_.graph.band(k);
+        b_.bands[k].active.resize(band.size());
+        for (int i = band.start; i < band.end; i++)
+        {
+            b_.parents[i] = b_.bands[k].active[i - band.start] = i;
+            b_.records[i] = describe(i);
+        }
+    });
 }
 
-//! Of the means, in 1/256 of a squared level, with the weights of the flood.
-int SimilarMerger::squaredDistance(const RegionMean& a, const RegionMean& b) const
+MergeRegion SimilarMerger::describe(int region) const
 {
-    const short* weights = distance_.weights[a.depth != RegionMean::NO_DEPTH && b.depth != RegionMean::NO_DEPTH];
-    const int depth = (weights[3] * (a.depth - b.depth)) >> 8;
-    int sum = depth * depth;
+    const RegionMean& mean = regions_.means[region];
+    const float area = float(regions_.sums[region].area);
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area) };
     for (int k = 0; k < 3; k++)
+        record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
+    return record;
+}
+
+//! Returns false if no region has a neighbour.
+bool SimilarMerger::runRound(int num_wanted, bool in_order)
+{
+    evaluate();
+    findPairs();
+    size_t num_active = 0, num_pairs = 0;
+    for (size_t k = 0; k < b_.bands.size(); k++)
     {
-        const int color = (weights[k] * (a.color[k] - b.color[k])) >> 8;
-        sum += color * color;
+        num_active += b_.bands[k].active.size();
+        num_pairs += b_.bands[k].pairs.size();
     }
-    return sum;
-}
-
-void SimilarMerger::push(int boundary, int cost)
-{
-    const MergeBuffers::Entry entry = { boundary, NONE };
-    const int index = int(entries_.size());
-    entries_.push_back(entry);
-    if (first_[cost] == NONE)
-        first_[cost] = index;
+    if (num_active == 0)
+        return false;
+    const size_t FEWEST = 32; // active regions for each pair; else they depend on each other in long chains, or on one
+    const double share = in_order || num_left_ <= FAR * num_wanted ? SHARE : SHARE_FAR;
+    const size_t most = num_left_ - num_wanted;
+    if (num_pairs * FEWEST < num_active)
+        chooseOneSided(share, most);
     else
-        entries_[last_[cost]].next = index;
-    last_[cost] = index;
-    lowest_ = std::min(lowest_, cost);
-    queued_at_[boundary] = cost;
+        choose(std::min(most, size_t(std::ceil(share * double(num_pairs)))));
+    if (in_order)
+        std::sort(b_.chosen.begin(), b_.chosen.end());
+    unite();
+    return true;
 }
 
-void SimilarMerger::pushIfLower(int boundary)
+//! Finds the costs of all unions, and the best one of each region.
+void SimilarMerger::evaluate()
 {
-    const int now = cost(graph_.boundaries()[boundary]);
-    if (now < queued_at_[boundary])
-        push(boundary, now);
-}
-
-//! The regions of the next boundaries of a queue lie anywhere.
-void SimilarMerger::touchRegions(int entry) const
-{
-    for (int count = 0; count < 2 && entry != NONE; count++, entry = entries_[entry].next)
+    b_.graph.forBands([&](int k, std::vector<int>& table)
     {
-        const RegionGraph::Boundary& boundary = graph_.boundaries()[entries_[entry].boundary];
-        for (int side = 0; side < 2; side++)
-        {
-            touch(regions_.sums[boundary.regions[side]].area);
-            touch(regions_.means[boundary.regions[side]].depth);
-        }
+        const std::vector<int>& active = b_.bands[k].active;
+        for (size_t i = 0; i < active.size(); i++)
+            b_.best[active[i]] = NO_PRICE;
+        evaluate(k, table);
+    });
+    evaluate(b_.graph.numBands(), b_.table);
+}
+
+void SimilarMerger::evaluate(int k, std::vector<int>& table)
+{
+    b_.graph.join(k, table);
+    if (b_.graph.withContrasts())
+        findCosts<true>(b_.graph.fresh(k));
+    else
+        findCosts<false>(b_.graph.fresh(k));
+    b_.graph.settle(k);
+    findBest(b_.graph.known(k));
+}
+
+template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
+{
+    const MergeRegion* records = b_.records.data();
+    const bool with_depth = distance_.with_depth;
+    const int length_exponent = length_exponent_, contrast_exponent = contrast_exponent_;
+    for (size_t i = 0; i < list.count; i++)
+    {
+        MergeEdge& edge = list.edges[i];
+        const MergeRegion &a = records[edge.a], &b = records[edge.b];
+        const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
+                                        : squaredDistance(a.mean, b.mean);
+        const int log_length = logarithm(float(edge.length));
+        int cost = unionCost(distance, a, b, log_length, length_exponent);
+        if (CONTRAST)
+            cost += contrast_exponent * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
+        edge.cost = cost;
     }
 }
 
-//! The boundary at the lowest cost, which is lowest_ then; NONE if there is none.
-int SimilarMerger::pop()
+void SimilarMerger::findBest(const EdgeList& list)
 {
-    for (; lowest_ < COSTS; lowest_++)
-        while (first_[lowest_] != NONE)
-        {
-            const MergeBuffers::Entry entry = entries_[first_[lowest_]];
-            first_[lowest_] = entry.next;
-            touchRegions(entry.next);
-            if (graph_.boundaries()[entry.boundary].exists() && queued_at_[entry.boundary] == lowest_)
-                return entry.boundary;
-        }
-    return NONE;
+    uint64* best = b_.best.data();
+    for (size_t i = 0; i < list.count; i++)
+    {
+        const MergeEdge& edge = list.edges[i];
+        const uint64 price = priceOf(edge.cost, edge.a, edge.b), best_a = best[edge.a], best_b = best[edge.b];
+        best[edge.a] = price < best_a ? price : best_a;
+        best[edge.b] = price < best_b ? price : best_b;
+    }
 }
 
-//! The region with fewer neighbours goes into the other one.
-void SimilarMerger::unite(int a, int b)
+void SimilarMerger::findPairs()
 {
-    const bool b_goes = graph_.degree(b) < graph_.degree(a) || (graph_.degree(b) == graph_.degree(a) && a < b);
-    const int from = b_goes ? b : a, to = b_goes ? a : b;
-    regions_.sums[to].add(regions_.sums[from]);
-    regions_.update(to);
-    graph_.unite(from, to, joined_);
-    unions_.push_back(Vec2i(from, to));
-    const int FEW = 32;
-    if (graph_.degree(to) <= FEW)
-        for (int i = graph_.first(to); i != NONE; i = graph_.next(to, i))
-            pushIfLower(i);
-    else
-        for (size_t i = 0; i < joined_.size(); i++)
-            pushIfLower(joined_[i]);
+    b_.graph.forBands([&](int k, std::vector<int>&) { findPairs(k); });
+}
+
+//! Pairs of regions that are the best to each other.
+void SimilarMerger::findPairs(int band)
+{
+    std::vector<int>& active = b_.bands[band].active;
+    std::vector<MergePair>& pairs = b_.bands[band].pairs;
+    pairs.resize(active.size());
+    size_t num_active = 0, num_pairs = 0;
+    for (size_t i = 0; i < active.size(); i++)
+    {
+        const int region = active[i];
+        const uint64 price = b_.best[region];
+        if (b_.parents[region] != region || price == NO_PRICE)
+            continue;
+        active[num_active++] = region;
+        b_.changed[region] = 0;
+        const int neighbor = neighborOf(region, price);
+        const MergePair pair = { price, neighbor, region };
+        pairs[num_pairs] = pair;
+        num_pairs += (region < neighbor) & (b_.best[neighbor] == price);
+    }
+    active.resize(num_active);
+    pairs.resize(num_pairs);
+}
+
+//! The cheapest pairs, within 1/1024 of the range of costs; of those at the limit, the first ones.
+void SimilarMerger::choose(size_t count)
+{
+    const int BINS = 1024;
+    b_.chosen.clear();
+    for (size_t k = 0; k < b_.bands.size(); k++)
+        b_.chosen.insert(b_.chosen.end(), b_.bands[k].pairs.begin(), b_.bands[k].pairs.end());
+    unsigned lowest = UINT_MAX, highest = 0;
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+    {
+        const unsigned cost = unsigned(b_.chosen[i].price >> 32);
+        lowest = std::min(lowest, cost);
+        highest = std::max(highest, cost);
+    }
+    int shift = 0;
+    while ((highest - lowest) >> shift >= unsigned(BINS))
+        shift++;
+    b_.counts.assign(BINS, 0);
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+        b_.counts[(unsigned(b_.chosen[i].price >> 32) - lowest) >> shift]++;
+    unsigned limit = 0; // bin in which the last ones are
+    size_t rest = count;
+    for (; rest > size_t(b_.counts[limit]); limit++)
+        rest -= b_.counts[limit];
+    size_t num_chosen = 0;
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+    {
+        const MergePair pair = b_.chosen[i];
+        const unsigned bin = (unsigned(pair.price >> 32) - lowest) >> shift;
+        const bool at_limit = (bin == limit) & (rest > 0);
+        b_.chosen[num_chosen] = pair;
+        num_chosen += (bin < limit) | at_limit;
+        rest -= at_limit;
+    }
+    b_.chosen.resize(num_chosen);
+}
+
+//! Each region may go into its best neighbour, also if it is not the best one of that, the cheapest first, unless one
+//! of them went before, or the first one took in others. What many want to go into stays, so that no round does little.
+void SimilarMerger::chooseOneSided(double share, size_t most)
+{
+    const int MANY = 16;
+    std::vector<MergePair> wishes;
+    std::vector<int> votes(regions_.size(), 0);
+    for (size_t k = 0; k < b_.bands.size(); k++)
+        for (size_t i = 0; i < b_.bands[k].active.size(); i++)
+        {
+            const int region = b_.bands[k].active[i];
+            const MergePair wish = { b_.best[region], region, neighborOf(region, b_.best[region]) };
+            wishes.push_back(wish);
+            votes[wish.to]++;
+        }
+    std::sort(wishes.begin(), wishes.end());
+    wishes.resize(size_t(std::ceil(share * double(wishes.size()))));
+
+    enum { GONE = 1, TOOK = 2 };
+    std::vector<uchar> states(regions_.size(), 0);
+    b_.chosen.clear();
+    for (size_t i = 0; i < wishes.size() && b_.chosen.size() < most; i++)
+    {
+        const MergePair& wish = wishes[i];
+        if (votes[wish.from] > MANY || states[wish.from] != 0 || states[wish.to] == GONE)
+            continue;
+        states[wish.from] = GONE;
+        states[wish.to] = TOOK;
+        b_.chosen.push_back(wish);
+    }
+}
+
+void SimilarMerger::unite()
+{
+    for (size_t i = 0; i < b_.chosen.size(); i++)
+        unite(b_.chosen[i]);
+    num_left_ -= int(b_.chosen.size());
+}
+
+void SimilarMerger::unite(const MergePair& pair)
+{
+    regions_.sums[pair.to].add(regions_.sums[pair.from]);
+    regions_.update(pair.to);
+    b_.records[pair.to] = describe(pair.to);
+    b_.parents[pair.from] = pair.to;
+    b_.changed[pair.to] = 1;
 }
 
 }}} // namespace

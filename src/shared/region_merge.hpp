@@ -5,63 +5,87 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
+#include "shared/merge_graph.hpp"
 #include "shared/region_distance.hpp"
-#include "shared/region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Buffers of merging.
-struct MergeBuffers
+//! What the cost of a union reads of a region, in 16 bytes.
+struct MergeRegion
 {
-    struct Entry
-    {
-        int boundary, next;
-    };
-    RegionGraph graph;
-    std::vector<int> queued_at;   // cost of each boundary when it was queued last
-    std::vector<Entry> entries;   // of the queues, one for each cost
-    std::vector<int> first, last; // entries of each queue
+    short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
+    float area;
+    int log_area;  //!< in 1/256 of a doubling
 };
 
-//! Merges pairs of neighbouring regions, cheapest first.
+//! A union that may be done in a round.
+struct MergePair
+{
+    uint64 price;
+    int from, to;
+
+    bool operator<(const MergePair& p) const { return price < p.price || (price == p.price && from < p.from); }
+};
+
+//! What a round knows of the regions of a band.
+struct MergeBand
+{
+    std::vector<int> active;      //!< that are left and have neighbours, in order
+    std::vector<MergePair> pairs;
+};
+
+//! Buffers of merging. The graph is also its input.
+struct MergeBuffers
+{
+    MergeGraph graph;
+    std::vector<MergeBand> bands;
+    std::vector<MergeRegion> records;
+    std::vector<uint64> best;       // of each region: the price of its cheapest union
+    std::vector<int> parents;       // the region that took each one in, or itself
+    std::vector<uchar> changed;     // took in others in this round
+    std::vector<MergePair> chosen;
+    std::vector<int> table, counts;
+};
+
+//! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
 class SimilarMerger
 {
 public:
-    //! The exponents, in 1/16, are how much a long common boundary and a high one count.
+    //! The exponents, in 1/16, are how much a long common boundary and a high one count. The graph of the buffers must
+    //! have been built of the regions, with contrasts if these count.
     SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
                   MergeBuffers& buffers, Regions& regions);
-
-    //! To be filled with the boundaries of the regions before run().
-    RegionGraph& graph() { return graph_; }
 
     //! Merges until num_regions are left, or none has a neighbour.
     void run(int num_regions);
 
-    //! What was merged, in order: a region and the one that took it in.
-    const std::vector<Vec2i>& unions() const { return unions_; }
+    //! Merges until none has a neighbour, so that any number on the way is as good. Returns what was merged, in order:
+    //! a region and the one that took it in.
+    std::vector<Vec2i> runToTheEnd();
+
+    //! The region that took each one in, or itself.
+    const std::vector<int>& parents() const { return b_.parents; }
 
 private:
-    enum { NONE = -1, COSTS = 8192 }; // 64 costs for each doubling
-
-    int cost(const RegionGraph::Boundary& boundary) const;
-    int squaredDistance(const RegionMean& a, const RegionMean& b) const;
-    void push(int boundary, int cost);
-    void pushIfLower(int boundary);
-    int pop();
-    void touchRegions(int entry) const;
-    void unite(int a, int b);
+    void start();
+    MergeRegion describe(int region) const;
+    bool runRound(int num_wanted, bool in_order);
+    void evaluate();
+    void evaluate(int k, std::vector<int>& table);
+    template <bool CONTRAST> void findCosts(EdgeList& list) const;
+    void findBest(const EdgeList& list);
+    void findPairs();
+    void findPairs(int band);
+    void choose(size_t count);
+    void chooseOneSided(double share, size_t most);
+    void unite();
+    void unite(const MergePair& pair);
 
     const RegionDistance distance_;
     const int length_exponent_, contrast_exponent_;
+    MergeBuffers& b_;
     Regions& regions_;
-    RegionGraph& graph_;
-    std::vector<int>& queued_at_;
-    std::vector<MergeBuffers::Entry>& entries_;
-    std::vector<int>& first_;
-    std::vector<int>& last_;
-    int lowest_;
-    std::vector<Vec2i> unions_;
-    std::vector<int> joined_; // boundaries that have become longer
+    int num_left_;
 };
 
 }}} // namespace
