@@ -77,24 +77,40 @@ template <bool CONTRAST> void MergeGraph::relabel(int k, const int* parents, con
     EdgeList &known = known_[k], &fresh = fresh_[k];
     fresh.reserve(known.count + 1, CONTRAST);
     MergeEdge *edges = known.edges.data(), *fresh_edges = fresh.edges.data();
+    int64 *contrasts = known.contrasts.data(), *fresh_contrasts = fresh.contrasts.data();
+    const size_t count = known.count;
     size_t num_known = 0, num_fresh = 0;
-    for (size_t i = 0; i < known.count; i++)
+    for (size_t i = 0; i < count; i++)
     {
-        MergeEdge edge = edges[i];
-        const int a = parents[edge.a], b = parents[edge.b], list = listOf(a, b);
-        const bool is_fresh = (changed[a] | changed[b]) != 0, exists = a != b;
-        edge.a = std::min(a, b);
-        edge.b = std::max(a, b);
+        const int a = parents[edges[i].a], b = parents[edges[i].b];
+        const MergeEdge edge = { std::min(a, b), std::max(a, b), edges[i].length, edges[i].cost };
+        const size_t exists = a != b, is_fresh = changed[a] | changed[b];
         edges[num_known] = fresh_edges[num_fresh] = edge;
         if (CONTRAST)
-            known.contrasts[num_known] = fresh.contrasts[num_fresh] = known.contrasts[i];
-        if (list != k)
-            leaving_[k].append(fresh, num_fresh, num_fresh + exists, CONTRAST);
-        num_known += exists & !is_fresh & (list == k);
-        num_fresh += exists & is_fresh & (list == k);
+            contrasts[num_known] = fresh_contrasts[num_fresh] = contrasts[i];
+        num_known += exists & (is_fresh ^ 1);
+        num_fresh += exists & is_fresh;
     }
     known.count = num_known;
     fresh.count = num_fresh;
+    findLeaving(k);
+}
+
+//! What belongs to another list now is fresh: one of its regions was taken in.
+void MergeGraph::findLeaving(int k)
+{
+    EdgeList &fresh = fresh_[k], &leaving = leaving_[k];
+    size_t count = 0;
+    for (size_t i = 0; i < fresh.count; i++)
+    {
+        if (listOf(fresh.edges[i].a, fresh.edges[i].b) != k)
+            leaving.append(fresh, i, i + 1, with_contrasts_);
+        else if (leaving.count > 0)
+            fresh.move(i, count++, with_contrasts_);
+        else
+            count++;
+    }
+    fresh.count = count;
 }
 
 //! Edges of regions that were united across the limit of a band.

@@ -40,6 +40,12 @@ struct EdgeList
             std::copy(from.contrasts.begin() + first, from.contrasts.begin() + last, contrasts.begin() + count);
         count += last - first;
     }
+    void move(size_t from, size_t to, bool with_contrasts)
+    {
+        edges[to] = edges[from];
+        if (with_contrasts)
+            contrasts[to] = contrasts[from];
+    }
 };
 
 //! Writes to `positions`, in order, where two rows differ; it has room for cols + 3. Returns how many these are.
@@ -109,6 +115,7 @@ private:
     void collect();
     template <bool CONTRAST> void relabel(int k, const int* parents, const uchar* changed);
     template <bool CONTRAST> static void join(EdgeList& list, std::vector<int>& table);
+    void findLeaving(int k);
     void handOver();
 
     int num_regions_ = 0;
