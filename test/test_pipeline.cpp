@@ -381,8 +381,7 @@ KeyedCosts keyedCosts(const Mat& image, const Mat& labels, int n)
     return keyed;
 }
 
-//! Whether no other boundary of either region is cheaper, within the steps of the logarithms, which are straight
-//! between powers of two.
+//! Whether no other boundary of either region is cheaper. Logarithms are straight between powers of two, hence 1.35.
 bool areBestNeighbors(const KeyedCosts& costs, const std::pair<RegionKey, RegionKey>& pair)
 {
     const double cost = costs.find(pair)->second;

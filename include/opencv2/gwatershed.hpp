@@ -60,7 +60,8 @@ enum GWatershedType
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
-4. Merging: similar neighbours become one region, until the number of superpixels is reached.
+4. Merging: pairs of regions that are the most similar neighbours of each other become one region, in rounds, until
+   the number of superpixels is reached.
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
@@ -213,8 +214,10 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first. The cost of a pair is Ward's criterion, as in stepwise optimization @cite
-    Beaulieu1989 , with a term for its common boundary:
+    Merging goes in rounds. In each round, the pairs of superpixels that are the cheapest neighbours of each other are
+    found, and the cheaper ones of them merge, cheapest first. Where too few pairs are found, superpixels also merge
+    with their cheapest neighbour if it has a cheaper one. The cost of a pair is Ward's criterion, as in stepwise
+    optimization @cite Beaulieu1989 , with a term for its common boundary:
     @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75}
         (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
     d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common

@@ -81,7 +81,6 @@ class MergeGraph
 public:
     enum { BAND_SHIFT = 11, BAND = 1 << BAND_SHIFT }; //!< regions in a band
 
-    int numRegions() const { return num_regions_; }
     int numBands() const { return int(known_.size()) - 1; }
     Range band(int k) const { return Range(k * BAND, std::min((k + 1) * BAND, num_regions_)); }
 
@@ -144,7 +143,8 @@ template <typename Body> void MergeGraph::forBands(const Body& body)
 }
 
 //! Adds an edge without branches: what is none, or not complete, is written over by the next.
-inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast, EdgeList& to)
+inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast,
+                    EdgeList& to)
 {
     const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length, 0 };
     to.edges[to.count] = edge;
