@@ -213,14 +213,14 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first. The cost of a pair is Ward's criterion, as in stepwise optimization @cite
-    Beaulieu1989 , with a term for its common boundary:
-    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75}
-        (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
+    Cheap pairs merge first. Their cost is Ward's criterion @cite Beaulieu1989 , with terms for boundary and lightness:
+    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{5/4} (h + 1)^{3/4}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-7/8} (|L_a - L_b| + 1)^{-5/8} (L + 16)^{-1} @f]
     d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common
     boundary in pixel edges, and h the contrast of the boundary: the mean distance (sum of absolute differences) of
-    the pixels on its two sides. Both distances are in 8-bit levels of the opponent space of RGWATERSHED, with
-    lightness halved, or of the channels given after setLabInput(true); alpha weighs depth.
+    the pixels on its two sides. L are the mean lightnesses, and that of both together, from 0 to 255. The distances
+    are in 8-bit levels of the opponent space of RGWATERSHED, with lightness halved, or of the channels given after
+    setLabInput(true); alpha weighs depth, and the exponents of lightness beside depth.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.

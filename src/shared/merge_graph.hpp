@@ -144,7 +144,8 @@ template <typename Body> void MergeGraph::forBands(const Body& body)
 }
 
 //! Adds an edge without branches: what is none, or not complete, is written over by the next.
-inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast, EdgeList& to)
+inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, bool with_contrast,
+                    EdgeList& to)
 {
     const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length, 0 };
     to.edges[to.count] = edge;
