@@ -41,6 +41,7 @@ struct Segmentation
     Rect bounds;            //!< of what was segmented
     Parameters parameters;
     Mask mask;
+    bool with_depth = false;
     MergeHierarchy hierarchy; //!< empty until it is asked for
     bool complete = false;
 };

@@ -383,6 +383,7 @@ private:
     void run(gws::Frame frame, const Last& last, int num_iterations)
     {
         Mat labels = result_.labels(result_.bounds);
+        result_.with_depth = !frame.depth.empty();
         if (frame.num_superpixels == 0)
         {
             labels.setTo(Scalar(-1));
@@ -418,7 +419,7 @@ private:
         const gws::Parameters& used = result_.parameters;
         const gws::Padded<gws::Feature> features = used.algorithm == GWATERSHED
                 ? gwatershed_.features(used.lab_input) : rgwatershed_.features();
-        result_.hierarchy.build(features, gws::floodDistance(used.alpha, true), labels, result_.number);
+        result_.hierarchy.build(features, gws::floodDistance(used.alpha, result_.with_depth), labels, result_.number);
     }
 
     gws::InUse in_use_;

@@ -60,8 +60,7 @@ enum GWatershedType
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
-4. Merging: pairs of regions that are the most similar neighbours of each other become one region, in rounds, until
-   the number of superpixels is reached.
+4. Merging: similar neighbours become one region, until the number of superpixels is reached.
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
@@ -214,16 +213,14 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Merging goes in rounds. In each round, the pairs of superpixels that are the cheapest neighbours of each other are
-    found, and the cheaper ones of them merge, cheapest first. Where too few pairs are found, superpixels also merge
-    with their cheapest neighbour if it has a cheaper one. The cost of a pair is Ward's criterion, as in stepwise
-    optimization @cite Beaulieu1989 , with a term for its common boundary:
-    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.75}
-        (h + 1)^{1/2} \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1} @f]
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary and lightness:
+    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{5/4} (h + 1)^{3/4}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-7/8} (|L_a - L_b| + 1)^{-5/8} (L + 16)^{-1} @f]
     d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common
     boundary in pixel edges, and h the contrast of the boundary: the mean distance (sum of absolute differences) of
-    the pixels on its two sides. Both distances are in 8-bit levels of the opponent space of RGWATERSHED, with
-    lightness halved, or of the channels given after setLabInput(true); alpha weighs depth.
+    the pixels on its two sides. L are the mean lightnesses, and that of both together, from 0 to 255. The distances
+    are in 8-bit levels of the opponent space of RGWATERSHED, with lightness halved, or of the channels given after
+    setLabInput(true); alpha weighs depth, and the exponents of lightness beside depth.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.

@@ -9,7 +9,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const int LENGTH_EXPONENT = 16, CONTRAST_EXPONENT = 8; // in 1/16
+static const MergeRules RULES = { 64, 80, 48, 56, 40, 64 };
 
 //! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
 struct FeatureContrast
@@ -37,7 +37,7 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     MergeBuffers buffers;
     const FeatureContrast contrast = { features, distance };
     buffers.graph.build(labels, num_labels, contrast);
-    SimilarMerger merger(distance, LENGTH_EXPONENT, CONTRAST_EXPONENT, buffers, regions);
+    SimilarMerger merger(distance, RULES, buffers, regions);
     unions_ = merger.runToTheEnd();
 
     labels.copyTo(labels_);

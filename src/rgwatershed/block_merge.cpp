@@ -7,7 +7,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
+void mergeSimilarRegions(int num_regions, const RegionDistance& distance, const MergeRules& rules,
                          MergeBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -15,7 +15,7 @@ void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int le
         return;
     Mat map = labels.view(CV_32SC1);
     buffers.graph.build(map, regions.size(), WithoutContrast());
-    SimilarMerger merger(distance, length_exponent, 0, buffers, regions);
+    SimilarMerger merger(distance, rules, buffers, regions);
     merger.run(num_regions);
 
     const std::vector<int>& parents = merger.parents();

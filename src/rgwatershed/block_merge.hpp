@@ -10,8 +10,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Merges the most similar neighbours until num_regions are left.
-//! length_exponent, in 1/16, is how much a long common boundary counts.
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, int length_exponent,
+void mergeSimilarRegions(int num_regions, const RegionDistance& distance, const MergeRules& rules,
                          MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 }}} // namespace

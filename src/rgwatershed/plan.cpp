@@ -47,7 +47,7 @@ static int chooseLevel(const Frame& frame, float ruler, const MaskPyramid& masks
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : level(chooseLevel(frame, parameters.ruler, masks)), ruler(parameters.ruler),
-      length_exponent(lengthExponent(ruler)), flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
+      merge_rules(mergeRules(ruler)), flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
 {

@@ -9,6 +9,7 @@
 #include "shared/frame.hpp"
 #include "shared/mask_pyramid.hpp"
 #include "shared/parameters.hpp"
+#include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -27,7 +28,7 @@ struct Plan
     int num_markers;
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
-    int length_exponent;    //!< of merging, in 1/16
+    MergeRules merge_rules;
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
 };

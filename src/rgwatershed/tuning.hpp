@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_TUNING_HPP
 #define OPENCV_GWATERSHED_TUNING_HPP
 
-#include "shared/region_distance.hpp"
+#include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -55,10 +55,12 @@ inline int boundaryPrice(double price, double side, float ruler)
     return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
 }
 
-//! Weight of long common boundaries in merging, in 1/16: long ones make compact superpixels.
-inline int lengthExponent(float ruler)
+//! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
+inline MergeRules mergeRules(float ruler)
 {
-    return cvRound(4 + 8 * std::min(ruler / 10, 1.f));
+    MergeRules rules = { 80, 104, 0, 0, 24, 48 };
+    rules.length = cvRound(16 + 32 * std::min(ruler / 10, 1.f));
+    return rules;
 }
 
 //! How many blocks a number of superpixels must keep, more if their boundary may be irregular.

@@ -50,23 +50,38 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
-//! (squared distance of the means + 4 levels^2) * (n1 n2 / (n1 + n2))^1.75 *
-//! (length of the boundary / root of the smaller area)^-length exponent, as a logarithm: the exponents
-//! are factors then, and there are no roots and no divisions. Ward's criterion, with a minimum
-//! that lets small regions go first where colours are equal, and a bonus for long boundaries.
+//! The cost of a union without the contrast: a product of powers, as the sum of logarithms. Exponents are factors then,
+//! and there are no roots and no divisions. With d the distance of the means, n the areas, l the length of the
+//! boundary, L the lightness of the means, m that of the union:
+//!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (l / root of the smaller n)^-length
+//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness
+//! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
 //! It is the same for both orders of the regions.
-static inline int unionCost(int squared_distance, const MergeRegion& a, const MergeRegion& b, int log_length,
-                            int length_exponent)
+static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
+                            const MergeRegion& b, int log_length)
 {
-    const int areas = a.log_area + b.log_area - logarithm(a.area + b.area);
-    return 16 * logarithm(float(squared_distance + 4 * 256)) + 28 * areas -
-           length_exponent * (log_length - std::min(a.log_area, b.log_area) / 2);
+    const int log_union = logarithm(a.area + b.area);
+    return rules.distance * logarithm(float(squared_distance + 4 * 256)) +
+           rules.areas * (a.log_area + b.log_area - log_union) -
+           rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
+           rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
+           rules.brightness * (logarithm(a.light + b.light) - log_union);
 }
 
-SimilarMerger::SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
-                             MergeBuffers& buffers, Regions& regions)
-    : distance_(distance), length_exponent_(length_exponent), contrast_exponent_(contrast_exponent),
-      b_(buffers), regions_(regions), num_left_(regions.size())
+//! What depends on colour alone counts as much as colour does beside depth.
+static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
+{
+    if (distance.with_depth)
+    {
+        rules.lightness = rules.lightness * distance.color_share / FULL_WEIGHT;
+        rules.brightness = rules.brightness * distance.color_share / FULL_WEIGHT;
+    }
+    return rules;
+}
+
+SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
+                             Regions& regions)
+    : distance_(distance), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
 }
@@ -112,8 +127,9 @@ void SimilarMerger::start()
 MergeRegion SimilarMerger::describe(int region) const
 {
     const RegionMean& mean = regions_.means[region];
-    const float area = float(regions_.sums[region].area);
-    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area) };
+    const RegionSum& sum = regions_.sums[region];
+    const float area = float(sum.area);
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area), float(sum.color[0] + 16 * int64(sum.area)) };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -173,7 +189,8 @@ template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
     const bool with_depth = distance_.with_depth;
-    const int length_exponent = length_exponent_, contrast_exponent = contrast_exponent_;
+    const MergeRules rules = rules_;
+    const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
     for (size_t i = 0; i < list.count; i++)
     {
         MergeEdge& edge = list.edges[i];
@@ -181,9 +198,9 @@ template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
         const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         const int log_length = logarithm(float(edge.length));
-        int cost = unionCost(distance, a, b, log_length, length_exponent);
+        int cost = unionCost(rules, distance, light_level, a, b, log_length);
         if (CONTRAST)
-            cost += contrast_exponent * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
+            cost += rules.contrast * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
         edge.cost = cost;
     }
 }

@@ -10,12 +10,24 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! What the cost of a union reads of a region, in 16 bytes.
+//! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/64.
+struct MergeRules
+{
+    int distance;   //!< of the means
+    int areas;      //!< n1 n2 / (n1 + n2)
+    int contrast;   //!< across the common boundary; 0: not measured
+    int length;     //!< of the boundary: long ones make it cheap
+    int lightness;  //!< a difference of it makes it cheap, because shading varies within things
+    int brightness; //!< makes it cheap, because bright colours differ more
+};
+
+//! What the cost of a union reads of a region.
 struct MergeRegion
 {
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
+    float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
 };
 
 //! A union that may be done in a round.
@@ -51,10 +63,8 @@ struct MergeBuffers
 class SimilarMerger
 {
 public:
-    //! The exponents, in 1/16, are how much a long common boundary and a high one count. The graph of the buffers must
-    //! have been built of the regions, with contrasts if these count.
-    SimilarMerger(const RegionDistance& distance, int length_exponent, int contrast_exponent,
-                  MergeBuffers& buffers, Regions& regions);
+    //! The graph of the buffers must have been built of the regions, with contrasts if these count.
+    SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions);
 
     //! Merges until num_regions are left, or none has a neighbour.
     void run(int num_regions);
@@ -82,7 +92,7 @@ private:
     void unite(const MergePair& pair);
 
     const RegionDistance distance_;
-    const int length_exponent_, contrast_exponent_;
+    const MergeRules rules_;
     MergeBuffers& b_;
     Regions& regions_;
     int num_left_;

@@ -1,0 +1,156 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// The order of mergeSimilar(), against its documentation.
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_merging;
+
+//! The features that merging compares: opponent colours, as in the documentation of RGWATERSHED.
+Vec3d opponentColor(const Vec3b& c)
+{
+    const int b = c[0], g = c[1], r = c[2];
+    return Vec3d(0.5 * ((r + 2 * g + b + 2) / 4), (r - g + 256) / 2, (r + g - 2 * b + 514) / 4);
+}
+
+//! A logarithm to base 2 that is straight between the powers of two, as merging takes it.
+double straightLog(double x)
+{
+    int exponent;
+    const double fraction = std::frexp(x, &exponent);
+    return exponent - 2 + 2 * fraction;
+}
+
+//! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation.
+std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& labels, int n)
+{
+    std::vector<double> areas(n, 0.);
+    std::vector<Vec3d> means(n, Vec3d::all(0));
+    std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+        {
+            const Vec3d color = opponentColor(image.at<Vec3b>(y, x));
+            areas[labels.at<int>(y, x)]++;
+            means[labels.at<int>(y, x)] += color;
+            for (int k = 0; k < 2; k++)
+            {
+                const Point q(x + (k == 0), y + (k == 1));
+                if (q.x == labels.cols || q.y == labels.rows || labels.at<int>(q) == labels.at<int>(y, x))
+                    continue;
+                const int a = std::min(labels.at<int>(q), labels.at<int>(y, x));
+                const int b = std::max(labels.at<int>(q), labels.at<int>(y, x));
+                std::pair<double, double>& boundary = boundaries[std::make_pair(a, b)];
+                boundary.first++;
+                boundary.second += cv::norm(color - opponentColor(image.at<Vec3b>(q)), NORM_L1);
+            }
+        }
+    for (int i = 0; i < n; i++)
+        means[i] /= areas[i];
+    std::map<std::pair<int, int>, double> costs;
+    std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
+    for (; e != boundaries.end(); ++e)
+    {
+        const double na = areas[e->first.first], nb = areas[e->first.second], l = e->second.first;
+        const Vec3d d = means[e->first.first] - means[e->first.second];
+        const double light = 2 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // halved above
+        costs[e->first] = straightLog(d.dot(d) + 4) +
+                          1.25 * (straightLog(na) + straightLog(nb) - straightLog(na + nb)) +
+                          0.75 * (straightLog(e->second.second + l) - straightLog(l)) -
+                          0.875 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                          0.625 * straightLog(2 * std::abs(d[0]) + 1) -
+                          (straightLog(light + 16 * (na + nb)) - straightLog(na + nb));
+    }
+    return costs;
+}
+
+typedef std::pair<int, int> RegionKey; // first pixel in raster order, area: in nested partitions no two are the same
+typedef std::map<std::pair<RegionKey, RegionKey>, double> KeyedCosts;
+
+std::vector<RegionKey> regionKeys(const Mat& labels, int n)
+{
+    std::vector<RegionKey> keys(n, RegionKey(-1, 0));
+    for (int i = 0; i < int(labels.total()); i++)
+    {
+        RegionKey& key = keys[labels.at<int>(i / labels.cols, i % labels.cols)];
+        key.first = key.second == 0 ? i : key.first;
+        key.second++;
+    }
+    return keys;
+}
+
+KeyedCosts keyedCosts(const Mat& image, const Mat& labels, int n)
+{
+    const std::vector<RegionKey> keys = regionKeys(labels, n);
+    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, labels, n);
+    KeyedCosts keyed;
+    for (std::map<std::pair<int, int>, double>::const_iterator e = costs.begin(); e != costs.end(); ++e)
+    {
+        const RegionKey a = keys[e->first.first], b = keys[e->first.second];
+        keyed[std::make_pair(std::min(a, b), std::max(a, b))] = e->second;
+    }
+    return keyed;
+}
+
+//! Whether no other boundary of either region is cheaper, but for the rounding of means and logarithms.
+bool areBestNeighbors(const KeyedCosts& costs, const std::pair<RegionKey, RegionKey>& pair)
+{
+    const double cost = costs.find(pair)->second;
+    for (KeyedCosts::const_iterator e = costs.begin(); e != costs.end(); ++e)
+    {
+        const bool touches = e->first.first == pair.first || e->first.second == pair.first ||
+                             e->first.first == pair.second || e->first.second == pair.second;
+        if (touches && cost > e->second + 0.2)
+            return false;
+    }
+    return true;
+}
+
+//! The two regions of a partition that are one in the next.
+std::pair<RegionKey, RegionKey> findUnion(const Mat& before, const Mat& after, int n)
+{
+    const std::vector<RegionKey> keys = regionKeys(before, n);
+    std::map<int, RegionKey> seen; // by label after
+    for (int i = 0; i < n; i++)
+    {
+        const int label = after.at<int>(keys[i].first / after.cols, keys[i].first % after.cols);
+        if (!seen.insert(std::make_pair(label, keys[i])).second)
+            return std::make_pair(std::min(seen[label], keys[i]), std::max(seen[label], keys[i]));
+    }
+    return std::pair<RegionKey, RegionKey>();
+}
+
+// Two regions are united only if they were the best neighbours of each other when their round began, which is at some
+// time since both of them are what they are.
+TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 6; i++)
+    {
+        const Mat image = makeScene(Size(80, 60), rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
+        gws->iterate();
+        std::vector<KeyedCosts> history;
+        Mat before = labelsOf(gws);
+        for (int n = gws->getNumberOfSuperpixels(); n > 1; n--)
+        {
+            history.push_back(keyedCosts(image, before, n));
+            gws->mergeSimilar(n - 1);
+            const Mat after = labelsOf(gws);
+            const std::pair<RegionKey, RegionKey> pair = findUnion(before, after, n);
+            bool found = false;
+            for (int k = int(history.size()) - 1; k >= 0 && history[k].count(pair) && !found; k--)
+                found = areBestNeighbors(history[k], pair);
+            ASSERT_TRUE(found) << n << " superpixels";
+            before = after;
+        }
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_merging, testing::ValuesIn(ALGORITHMS));
+
+}} // namespace
