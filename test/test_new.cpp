@@ -31,7 +31,8 @@ void operator delete(void* memory) noexcept
     std::free(memory);
 }
 
-void operator delete(void* memory, size_t) noexcept // what C++14 and later call
+void operator delete(void* memory, size_t) noexcept; // no standard header declares it for C++11
+void operator delete(void* memory, size_t) noexcept  // what C++14 and later call
 {
     std::free(memory);
 }

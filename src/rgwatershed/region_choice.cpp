@@ -28,8 +28,8 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 //! passed over here, in loops without branches, because no processor can predict which they are.
 template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
 {
-    Feature features[BATCH];
-    RegionMean means[BATCH];
+    Feature* const features = open.features;
+    RegionMean* const means = open.means;
     uchar several[BATCH]; // other regions
     for (int i = 0; i < n; i++)
     {

@@ -35,6 +35,8 @@ private:
     //! Pixels that another region may win.
     struct OpenPixels
     {
+        Feature features[BATCH];
+        RegionMean means[BATCH]; // of a region that a pixel is compared with
         int count;
         int indices[BATCH];
         int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own

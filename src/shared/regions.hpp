@@ -17,11 +17,8 @@ enum RegionLabel
 };
 
 //! Fixed-point units of means, distances and weights.
-enum
-{
-    STEPS_PER_LEVEL = 16, //!< of the 8-bit grey levels of a feature; means and distances are in these steps
-    FULL_WEIGHT = 256     //!< a weight of 1
-};
+static const int STEPS_PER_LEVEL = 16; //!< of the 8-bit grey levels of a feature: means and distances are in these
+static const int FULL_WEIGHT = 256;    //!< a weight of 1
 
 //! Means over the pixels of a region, in steps.
 struct RegionMean

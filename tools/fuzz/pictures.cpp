@@ -96,7 +96,7 @@ Mat makeScene(Size size, Bytes& bytes)
     Mat scene(size, CV_32FC3, takeColor(bytes));
     const int kind = takeUpTo(6, bytes);
     if (kind == 0)
-        takeRandom(bytes).fill(scene, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(1));
+        takeRandom(bytes).fill(scene.reshape(1), RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(1));
     if (kind == 1)
         writePixels(scene, bytes);
     if (kind == 2) // stripes or a checkerboard
@@ -123,7 +123,8 @@ Mat makeScene(Size size, Bytes& bytes)
                 cv::circle(scene, box.tl(), box.width, takeColor(bytes), cv::FILLED);
         }
         Mat noise(size, CV_32FC3);
-        takeRandom(bytes).fill(noise, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(takeUpTo(3, bytes) * 0.02));
+        takeRandom(bytes).fill(noise.reshape(1), RNG::UNIFORM,
+                               cv::Scalar::all(0), cv::Scalar::all(takeUpTo(3, bytes) * 0.02));
         scene += noise;
     }
     return scene;
@@ -148,7 +149,7 @@ Mat changeScene(const Mat& scene, Bytes& bytes)
         Mat noise(scene.size(), CV_32FC3);
         RNG random = takeRandom(bytes);
         const double deviation = 0.02 + 0.02 * takeUpTo(5, bytes);
-        random.fill(noise, RNG::NORMAL, cv::Scalar::all(0), cv::Scalar::all(deviation));
+        random.fill(noise.reshape(1), RNG::NORMAL, cv::Scalar::all(0), cv::Scalar::all(deviation));
         next += noise;
         break;
     }
@@ -242,7 +243,7 @@ Mat makeDepth(const Mat& scene, Bytes& bytes)
     if (oneIn(2, bytes))
     {
         Mat share(size, CV_8UC1);
-        takeRandom(bytes).fill(share, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(8));
+        takeRandom(bytes).fill(share.reshape(1), RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(8));
         depth.setTo(Scalar(0), share < takeUpTo(8, bytes));
     }
     if (oneIn(4, bytes))
@@ -283,7 +284,7 @@ bool isDepth(const Mat& depth, Size size)
 Mat makeValues(Size size, Bytes& bytes)
 {
     Mat floats(size, CV_32FC(1 + takeUpTo(5, bytes))), values;
-    takeRandom(bytes).fill(floats, RNG::UNIFORM, cv::Scalar::all(-1000), cv::Scalar::all(1000));
+    takeRandom(bytes).fill(floats.reshape(1), RNG::UNIFORM, cv::Scalar::all(-1000), cv::Scalar::all(1000));
     floats.convertTo(values, takeUpTo(CV_16F, bytes));
     if (values.depth() == CV_32F && oneIn(2, bytes))
         writeSpecials(values, bytes);
@@ -300,10 +301,11 @@ Mat makeMask(Size size, Bytes& bytes)
     switch (takeUpTo(9, bytes))
     {
     case 0: // dust
-        takeRandom(bytes).fill(mask, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(2 + takeUpTo(6, bytes)));
+        takeRandom(bytes).fill(mask.reshape(1), RNG::UNIFORM,
+                               cv::Scalar::all(0), cv::Scalar::all(2 + takeUpTo(6, bytes)));
         break;
     case 1: // the opposite of dust
-        takeRandom(bytes).fill(mask, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(9));
+        takeRandom(bytes).fill(mask.reshape(1), RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(9));
         mask = mask != 0;
         break;
     case 2: // rings
@@ -352,7 +354,8 @@ Mat makeMarkers(Size size, Bytes& bytes)
                 markers.at<int>(y, x) = 1 + y * size.width + x;
         break;
     case 1:
-        takeRandom(bytes).fill(markers, RNG::UNIFORM, cv::Scalar::all(-1), cv::Scalar::all(1 + takeUpTo(50, bytes)));
+        takeRandom(bytes).fill(markers.reshape(1), RNG::UNIFORM,
+                               cv::Scalar::all(-1), cv::Scalar::all(1 + takeUpTo(50, bytes)));
         break;
     case 2: // the same everywhere
         markers.setTo(Scalar(takeUpTo(3, bytes) - 1));

@@ -35,7 +35,7 @@ static void queryAtOnce(int max_pixels)
     for (int algorithm : { cv::ximgproc::GWATERSHED, cv::ximgproc::RGWATERSHED })
     {
         Mat image(side, side, CV_8UC3), depth(side, side, CV_16UC1);
-        RNG().fill(image, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(256));
+        RNG().fill(image.reshape(1), RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(256));
         RNG().fill(depth, RNG::UNIFORM, cv::Scalar::all(0), cv::Scalar::all(5000));
         const Ptr<SuperpixelGWatershed> gws = cv::ximgproc::createSuperpixelGWatershed(image, depth, algorithm);
         gws->iterate();
