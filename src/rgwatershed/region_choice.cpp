@@ -36,6 +36,11 @@ template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n,
         features[i] = features_[pixels[i]];
         means[i] = means_[labels_[pixels[i]]];
     }
+    for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
+    {
+        features[i] = features[n - 1];
+        means[i] = means[n - 1];
+    }
     distance_.squared<WITH_DEPTH>(features, means, n, open.squares);
     int count = 0;
     for (int i = 0; i < n; i++)
