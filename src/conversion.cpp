@@ -215,7 +215,7 @@ void addMeanChannel(const Mat& two, Mat& three)
     for (int y = 0; y < two.rows; y++)
         for (int x = 0; x < two.cols; x++)
         {
-            const Vec2b value = two.at<Vec2b>(y, x);
+            const Vec2b& value = two.at<Vec2b>(y, x);
             three.at<Vec3b>(y, x) = Vec3b(value[0], uchar((value[0] + value[1] + 1) / 2), value[1]);
         }
 }

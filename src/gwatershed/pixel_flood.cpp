@@ -73,7 +73,7 @@ static void flood(FloodPixel* pixels, int step, PixelQueue& queues, std::vector<
             unsigned reached = pixel->state == LINE ? 0 : findUnlabelled(pixel, step);
             for (; reached; reached &= reached - 1)
             {
-                const int k = trailingZeros32(reached);
+                const int k = int(trailingZeros32(reached));
                 pixel[offsets[k]].state = IN_QUEUE;
                 queues.push(batch[i] + offsets[k], pixel->distance(k));
             }

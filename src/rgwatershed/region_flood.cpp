@@ -143,7 +143,7 @@ private:
         v_store(priorities, offered);
         for (unsigned lower = v_signmask(v_sub_wrap(offered, before)) & 15; lower; lower &= lower - 1)
         {
-            const int k = trailingZeros32(lower), to = block + offsets[k];
+            const int k = int(trailingZeros32(lower)), to = block + offsets[k];
             if (labels_.data()[to] == label)
                 continue; // it waits for this region already, whose mean was another one
             labels_.data()[to] = label;

@@ -35,9 +35,9 @@ struct EdgeList
     void append(const EdgeList& from, size_t first, size_t last, bool with_contrasts)
     {
         reserve(count + last - first, with_contrasts);
-        std::copy(from.edges.begin() + first, from.edges.begin() + last, edges.begin() + count);
+        std::copy(from.edges.data() + first, from.edges.data() + last, edges.data() + count);
         if (with_contrasts)
-            std::copy(from.contrasts.begin() + first, from.contrasts.begin() + last, contrasts.begin() + count);
+            std::copy(from.contrasts.data() + first, from.contrasts.data() + last, contrasts.data() + count);
         count += last - first;
     }
     void move(size_t from, size_t to, bool with_contrasts)

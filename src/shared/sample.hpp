@@ -42,10 +42,11 @@ struct FloatRange
 //! There are more than 2 * outliers of them.
 inline FloatRange rangeWithout(size_t outliers, std::vector<float>& values)
 {
-    const std::vector<float>::iterator low = values.begin() + outliers, high = values.end() - 1 - outliers;
-    std::nth_element(values.begin(), low, values.end());
+    float *const begin = values.data(), *const end = begin + values.size();
+    float *const low = begin + outliers, *const high = end - 1 - outliers;
+    std::nth_element(begin, low, end);
     const float first = *low;
-    std::nth_element(low, high, values.end());
+    std::nth_element(low, high, end);
     const FloatRange range = { first, *high };
     return range;
 }
