@@ -9,12 +9,13 @@ namespace cv { namespace ximgproc { namespace gws {
 // The lists are made without unpredictable branches: every pixel is written, and the next one overwrites what does not
 // belong to the list.
 
-void BoundaryList::begin(int first_row)
+void BoundaryList::begin(int first_row, size_t most_quads)
 {
     first_row_ = first_row;
     for (int c = 0; c < NUM_CLASSES; c++)
     {
         pixels_[c].clear();
+        pixels_[c].reserve(most_quads);
         ends_[c].assign(1, 0);
     }
 }

@@ -34,8 +34,8 @@ public:
         int count;
     };
 
-    //! Empties it. Rows from this one on will be added.
-    void begin(int first_row);
+    //! Empties it. Rows from this one on will be added, with so many quads in all at most.
+    void begin(int first_row, size_t most_quads);
     //! Adds the next row. first is the index of the upper left pixel in it, step the offset to the next row of pixels.
     void addRow(const Quad* quads, int n, int first, int step);
 

@@ -230,7 +230,7 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     const auto sweepWithin = [&](int band)
     {
         const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
-        listOf(band).begin(rows.start);
+        listOf(band).begin(rows.start, size_t(rows.size()) * marks_.size().width);
         list(rows, listOf(band));
         Wave(choice, rules, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
     };

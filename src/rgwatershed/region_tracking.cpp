@@ -115,8 +115,9 @@ void RegionTracker::mergeAll(const Plan& plan, const Padded<Feature>& features, 
     std::vector<int> areas(regions.size()), numbers;
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
-    merge_buffers_.graph.build(map, regions.size(), WithoutContrast());
-    SimilarMerger merger(plan.flood_distance, plan.merge_rules, merge_buffers_, regions);
+    MergeBuffers buffers;
+    buffers.graph.build(map, regions.size(), WithoutContrast());
+    SimilarMerger merger(plan.flood_distance, plan.merge_rules, buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();
     nameGroups(parents, areas, names_, num_kept, numbers);

@@ -58,7 +58,6 @@ private:
     std::vector<int> names_; // labels that the regions have, or had where new ones are
     FloodBuffers flood_buffers_;
     MarkerBuffers marker_buffers_;
-    MergeBuffers merge_buffers_;
 };
 
 }}} // namespace
