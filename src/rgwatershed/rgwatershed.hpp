@@ -48,6 +48,7 @@ private:
     std::vector<MarkerBand> bands_;
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
+    MergeBuffers merge_buffers_;
 };
 
 }}} // namespace
