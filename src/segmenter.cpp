@@ -4,6 +4,7 @@
 
 #include "segmenter.hpp"
 #include "conversion.hpp"
+#include "surface.hpp"
 #include "depth_scale.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/user_markers.hpp"
@@ -58,6 +59,13 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
         frame.mask = result.mask.pixels(bounds);
     frame.color = convertInside(image, frame.mask, result.parameters, converted_);
     frame.depth = scaleInside(depth, frame.mask, result.parameters, scaled_);
+    if (!depth.empty() && P("FOCAL", 0) > 0)
+    {
+        frame.camera.focal = Point2f(float(P("FOCAL", 0)), float(P("FOCAL", 0)));
+        frame.camera.center = Point2f(float(result.labels.cols - 1) / 2 - float(bounds.x), float(result.labels.rows - 1) / 2 - float(bounds.y));
+        const FloatRange range = { result.parameters.near_depth, result.parameters.far_depth };
+        findSurface(depth, range, frame.camera, surface_buffers_, frame.depth, frame.normals);
+    }
     frame.num_superpixels = result.parameters.countSuperpixels(frame.num_pixels);
     if (!markers.empty())
     {
@@ -102,9 +110,9 @@ void Segmenter::drawLines(const Segmentation& result, Mat& mask) const
 void Segmenter::buildHierarchy(Segmentation& result) const
 {
     const Parameters& used = result.parameters;
-    const Padded<Feature> features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
+    const FeatureMap features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
                                                                   : rgwatershed_.features();
-    result.hierarchy.build(features, floodDistance(used.alpha, result.with_depth), result.labels(result.bounds),
+    result.hierarchy.build(features, floodDistance(used.alpha, result.with_depth ? RegionDistance::DEPTH : RegionDistance::COLOR), result.labels(result.bounds),
                            result.number);
 }
 

@@ -8,6 +8,7 @@
 #include "gwatershed/gwatershed.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "segmentation.hpp"
+#include "surface.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -52,6 +53,7 @@ private:
 
     GWatershed gwatershed_;
     RGWatershed rgwatershed_;
+    SurfaceBuffers surface_buffers_;
     Mat converted_, scaled_, numbered_;
     Last last_;
 };

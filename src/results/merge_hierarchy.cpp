@@ -21,13 +21,13 @@ struct FeatureContrast
         return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
     }
 
-    const Padded<Feature>& features;
+    const FeatureMap& features;
     const RegionDistance& distance;
 };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
-void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
+void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels)
 {
     CV_TRACE_FUNCTION();

@@ -23,10 +23,7 @@ void mergeSimilarRegions(int num_regions, const RegionDistance& distance, const 
     const int left = numberRegions(parents, numbers);
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)
-        {
-            regions.sums[numbers[i]] = regions.sums[i];
-            regions.means[numbers[i]] = regions.means[i];
-        }
+            regions.copy(i, numbers[i]);
     regions.resize(left);
     renumber(numbers, map);
 }

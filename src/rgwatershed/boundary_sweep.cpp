@@ -83,7 +83,7 @@ private:
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
-            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH),
+            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), Point(left, y),
                                             gains);
             for (int i = 0; i < n; i++)
             {
@@ -182,7 +182,7 @@ void BoundarySweeper::clearMarks(const Range& rows)
         std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
 }
 
-void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                                Regions& regions)
 {
     const Size size = labels.size();
@@ -195,7 +195,7 @@ void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const Padded<Feature>& features, const SweepRules& rules,
+void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const FeatureMap& features, const SweepRules& rules,
                                   Padded<int>& labels, Regions& regions)
 {
     begin(features.size());
@@ -208,7 +208,7 @@ void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const Padded<Featur
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepAgain(int count, const Padded<Feature>& features, const SweepRules& rules,
+void BoundarySweeper::sweepAgain(int count, const FeatureMap& features, const SweepRules& rules,
                                  Padded<int>& labels, Regions& regions)
 {
     for (int i = 0; i < count && moved_; i++)
@@ -216,12 +216,12 @@ void BoundarySweeper::sweepAgain(int count, const Padded<Feature>& features, con
               rules, labels, regions);
 }
 
-void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules,
+void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const SweepRules& rules,
                             Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
-    const RegionChoice choice(features, labels, masks_, regions.means, rules.distance, rules.length_price);
+    const RegionChoice choice(features, labels, masks_, regions, rules.distance, rules.length_price);
     bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + MOST_GROUPS - 1) / MOST_GROUPS);
     lists_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
     moves_.resize(2 * num_bands - 1);
@@ -268,7 +268,7 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
 
 //! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
 //! so few are read for nothing.
-void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
                                     Regions& regions) const
 {
     const auto add = [&](int index, int region, int times)
@@ -276,6 +276,8 @@ void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& f
         if (region < range.start || region >= range.end)
             return;
         regions.sums[region].add(features.data()[index], times);
+        if (regions.with_normals)
+            regions.surface_sums[region].add(features.data()[index], features.normals.data()[index], features.point(index), times);
         if (guard)
             guard->add(features.point(index), region, times);
     };

@@ -39,7 +39,7 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
         to[i / 2].depth = meanDepth(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
 }
 
-static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& halved)
+static void halveFeatures(const FeatureMap& features, bool with_depth, const Range& rows, FeatureMap& halved)
 {
     const Size size = features.size();
     const int width = halved.size().width;
@@ -65,14 +65,18 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
-void makePyramid(const Mat& color, const Mat& depth, bool lab_input, int top, Padded<Feature>* levels)
+void makePyramid(const Mat& color, const Mat& depth, const Mat& normals, bool lab_input, int top, FeatureMap* levels)
 {
     CV_TRACE_FUNCTION();
     const int BAND_HEIGHT = 16; // while its rows are in the cache
     CV_DbgAssert(BAND_HEIGHT % (1 << top) == 0); // a band has whole blocks on every level
     Size size = color.size();
     for (int level = 0; level <= top; level++, size = Size((size.width + 1) / 2, (size.height + 1) / 2))
+    {
         levels[level].create(size, Feature());
+        if (!normals.empty())
+            levels[level].normals.create(size, Normal());
+    }
     parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
@@ -88,6 +92,28 @@ void makePyramid(const Mat& color, const Mat& depth, bool lab_input, int top, Pa
                     halveFeatures(levels[level - 1], !depth.empty(), rows, levels[level]);
             }
     });
+    for (int level = 0; !normals.empty() && level <= top; level++)
+        for (int y = 0; y < levels[level].size().height; y++)
+            for (int x = 0; x < levels[level].size().width; x++)
+            {
+                Normal& n = levels[level].normals.row(y)[x];
+                if (level == 0)
+                    n = levels[0].row(y)[x].depth ? normals.at<Normal>(y / 2, x / 2) : Normal();
+                else if (level == 1)
+                    n = normals.at<Normal>(y, x);
+                else
+                {
+                    const Size before = levels[level - 1].size();
+                    int sx = 0, sy = 0, count = 0;
+                    for (int k = 0; k < 4; k++)
+                    {
+                        const Normal& f = levels[level - 1].normals.row(std::min(2 * y + k / 2, before.height - 1))[std::min(2 * x + k % 2, before.width - 1)];
+                        sx += f.x; sy += f.y; count += f.known();
+                    }
+                    n.x = uchar(count ? (sx + count / 2) / count : 0);
+                    n.y = uchar(count ? (sy + count / 2) / count : 0);
+                }
+            }
 }
 
 }}} // namespace

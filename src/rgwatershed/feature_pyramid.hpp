@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Opponent colours, or colours as they are, and depth, on the levels 0 (of pixels) to top. A level has the means of
 //! blocks of 2x2 of the one before; an odd last row or column is repeated.
 //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makePyramid(const Mat& color, const Mat& depth, bool lab_input, int top, Padded<Feature>* levels);
+void makePyramid(const Mat& color, const Mat& depth, const Mat& normals, bool lab_input, int top, FeatureMap* levels);
 
 }}} // namespace
 

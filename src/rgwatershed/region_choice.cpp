@@ -6,10 +6,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
-                           const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price)
+RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                           const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
-      means_(means.data()), distance_(distance), step_(labels.step())
+      means_(regions.means.data()), normals_(features.normals.data()),
+      surfaces_(regions.surfaces.data()), distance_(distance), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -26,7 +27,7 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
-template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
+template <RegionDistance::Content CONTENT> void RegionChoice::findOpen(const int* pixels, int n, Point row, OpenPixels& open) const
 {
     Feature* const features = open.features;
     RegionMean* const means = open.means;
@@ -41,12 +42,24 @@ template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n,
         features[i] = features[n - 1];
         means[i] = means[n - 1];
     }
-    distance_.squared<WITH_DEPTH>(features, means, n, open.squares);
+    if (CONTENT == RegionDistance::NORMALS)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            open.normals[i] = normals_[pixels[i]];
+            open.surfaces[i] = surfaces_[labels_[pixels[i]]];
+            open.squares[i] = distance_.squared(features[i], meanAt(means[i], open.surfaces[i], Point(pixels[i] - row.x, row.y)), open.normals[i], open.surfaces[i]);
+        }
+    }
+    else
+    distance_.squared<CONTENT != RegionDistance::COLOR>(features, means, n, open.squares);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
         const int pixel = pixels[i], slack = open.squares[i] - bounds_[masks_[pixel]];
         features[count] = features[i];
+        if (CONTENT == RegionDistance::NORMALS)
+            open.normals[count] = open.normals[i];
         open.indices[count] = pixel;
         open.slack[count] = slack;
         count += slack > 0;
@@ -57,9 +70,15 @@ template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n,
         const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
         const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
         means[i] = means_[first & ~(first >> 31)];
+        if (CONTENT == RegionDistance::NORMALS)
+            open.surfaces[i] = surfaces_[first & ~(first >> 31)];
         several[i] = uchar((first != last) | table_.isTip(mask));
     }
-    distance_.squared<WITH_DEPTH>(features, means, count, open.squares);
+    if (CONTENT == RegionDistance::NORMALS)
+        for (int i = 0; i < count; i++)
+            open.squares[i] = distance_.squared(features[i], meanAt(means[i], open.surfaces[i], Point(open.indices[i] - row.x, row.y)), open.normals[i], open.surfaces[i]);
+    else
+    distance_.squared<CONTENT != RegionDistance::COLOR>(features, means, count, open.squares);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {
@@ -83,13 +102,15 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
     choice.seen |= mask;
 }
 
-int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
+int RegionChoice::findGains(const int* pixels, int n, Point row, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.with_depth)
-        findOpen<true>(pixels, n, open);
+    if (distance_.content == RegionDistance::NORMALS)
+        findOpen<RegionDistance::NORMALS>(pixels, n, row, open);
+    else if (distance_.with_depth)
+        findOpen<RegionDistance::DEPTH>(pixels, n, row, open);
     else
-        findOpen<false>(pixels, n, open);
+        findOpen<RegionDistance::COLOR>(pixels, n, row, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;
@@ -109,7 +130,7 @@ int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
         do
         {
             const int region = label[first_offsets_[choice.seen]];
-            compare(pixel, distance_.squared(features_[pixel], means_[std::max(region, 0)]), choice);
+            compare(pixel, distance_.content == RegionDistance::NORMALS ? distance_.squared(features_[pixel], meanAt(means_[std::max(region, 0)], surfaces_[std::max(region, 0)], Point(pixel - row.x, row.y)), normals_[pixel], surfaces_[std::max(region, 0)]) : distance_.squared(features_[pixel], means_[std::max(region, 0)]), choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
     }

@@ -24,12 +24,12 @@ public:
     };
 
     //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
-    RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
-                 const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
+    RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                 const Regions& regions, const RegionDistance& distance, int length_price);
 
     //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
     //! each. Returns how many. Pixels that cannot leave are none of them.
-    int findGains(const int* pixels, int n, Gain* gains) const;
+    int findGains(const int* pixels, int n, Point row, Gain* gains) const;
 
 private:
     //! Pixels that another region may win.
@@ -37,6 +37,8 @@ private:
     {
         Feature features[BATCH];
         RegionMean means[BATCH]; // of a region that a pixel is compared with
+        Normal normals[BATCH];
+        SurfaceMean surfaces[BATCH];
         int count;
         int indices[BATCH];
         int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
@@ -49,7 +51,7 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    template <bool WITH_DEPTH> void findOpen(const int* pixels, int n, OpenPixels& open) const;
+    template <RegionDistance::Content CONTENT> void findOpen(const int* pixels, int n, Point row, OpenPixels& open) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;
@@ -59,6 +61,8 @@ private:
     const int* const labels_;
     const uchar* const masks_;
     const RegionMean* const means_;
+    const Normal* const normals_;
+    const SurfaceMean* const surfaces_;
     const RegionDistance distance_;
     const int step_;
     // By mask of the neighbours that agree:

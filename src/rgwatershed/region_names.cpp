@@ -7,7 +7,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void measureErrors(const Padded<Feature>& features, const RegionDistance& distance, const Padded<int>& labels,
+void measureErrors(const FeatureMap& features, const RegionDistance& distance, const Padded<int>& labels,
                    const Regions& regions, std::vector<int64>& errors)
 {
     CV_TRACE_FUNCTION();
@@ -18,7 +18,9 @@ void measureErrors(const Padded<Feature>& features, const RegionDistance& distan
         {
             const int label = labels.row(y)[x];
             if (label >= 0)
-                errors[label] += distance.squared(features.row(y)[x], regions.means[label]);
+                errors[label] += regions.with_normals
+                        ? distance.squared(features.row(y)[x], meanAt(regions.means[label], regions.surfaces[label], Point(x, y)), features.normals.row(y)[x], regions.surfaces[label])
+                        : distance.squared(features.row(y)[x], regions.means[label]);
         }
 }
 

@@ -30,7 +30,11 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.level;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    makePyramid(frame.color, frame.depth, parameters.lab_input, top, features_);
+    regions_.with_normals = !frame.normals.empty();
+    regions_.camera = frame.camera;
+    for (int i = 0; i < top; i++)
+        regions_.camera = halve(regions_.camera);
+    makePyramid(frame.color, frame.depth, frame.normals, parameters.lab_input, top, features_);
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
@@ -53,7 +57,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
-    const Padded<Feature>& features = features_[plan.level];
+    const FeatureMap& features = features_[plan.level];
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     if (mask.empty())
     {
@@ -76,7 +80,7 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 void RGWatershed::sweepAndMerge(const Plan& plan)
 {
     CV_TRACE_FUNCTION();
-    const Padded<Feature>& features = features_[plan.level];
+    const FeatureMap& features = features_[plan.level];
     Padded<int>& labels = labels_[plan.level];
     sweepers_[plan.level].sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweepers_[plan.level].sweepAgain(SWEEPS_BEFORE_MERGING - 1, features, plan.sweep_before_merging, labels, regions_);

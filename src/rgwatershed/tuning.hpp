@@ -72,15 +72,19 @@ inline double fewestBlocks(int num_superpixels, float ruler)
 }
 
 //! The distance that leads in finding regions.
-inline RegionDistance floodDistance(float alpha, bool with_depth)
+inline RegionDistance floodDistance(float alpha, RegionDistance::Content content)
 {
-    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, with_depth);
+    if (content == RegionDistance::NORMALS)
+        return RegionDistance(int(P("FL", FLOOD_LIGHTNESS)), int(P("FC", FLOOD_CHROMA)), float(P("FA", alpha)), content, P("FNS", 0));
+    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, content);
 }
 
 //! The distance that leads in settling boundaries.
-inline RegionDistance sweepDistance(float alpha, bool with_depth)
+inline RegionDistance sweepDistance(float alpha, RegionDistance::Content content)
 {
-    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, with_depth);
+    if (content == RegionDistance::NORMALS)
+        return RegionDistance(int(P("SL", SWEEP_LIGHTNESS)), int(P("SC", SWEEP_CHROMA)), float(P("SA", alpha)), content, P("SNS", 0));
+    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, content);
 }
 
 }}} // namespace

@@ -17,6 +17,21 @@ struct Feature
     uchar depth;
 };
 
+//! Direction of the surface at a pixel, or of a block: x and y of its unit normal in the axes of the camera, 1..255 for
+//! -1..1; both 0 if it is not known.
+struct Normal
+{
+    uchar x, y;
+
+    bool known() const { return x != 0; }
+};
+
+//! Features of the pixels of an image, or of the blocks of a level, and beside them normals, if there are any.
+struct FeatureMap : Padded<Feature>
+{
+    Padded<Normal> normals;
+};
+
 //! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become
 //! those of the opponent space.
 void makeFeatureRow(const uchar* color, int channels, bool lab_input, const uchar* depth, int cols, Feature* to);

@@ -10,6 +10,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+inline double P(const char* name, double value)
+{
+    const char* s = getenv(name);
+    return s ? atof(s) : value;
+}
+
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth.
 //! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
@@ -17,9 +23,13 @@ namespace cv { namespace ximgproc { namespace gws {
 class RegionDistance
 {
 public:
+    //! What features have: colour alone, depth too, or normals too.
+    enum Content { COLOR, DEPTH, NORMALS };
+
     //! with_depth may be false if no feature has depth; it makes some loops faster.
-    RegionDistance(int lightness, int chroma, float alpha, bool with_depth_) : with_depth(with_depth_)
+    RegionDistance(int lightness, int chroma, float alpha, Content content_, double scale_ = 0) : content(content_), with_depth(content != COLOR)
     {
+        const float normal_weight = P("NW", 0.5), scale = scale_ > 0 ? scale_ : P("NS", 2);
         const float larger = std::max(alpha, 1 - alpha);
         color_share = cvRound(FULL_WEIGHT * alpha / larger);
         depth_share = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
@@ -29,8 +39,11 @@ public:
             weights[0][k] = color[k];
             weights[1][k] = short((color_share * color[k] + FULL_WEIGHT / 2) / FULL_WEIGHT);
         }
+        std::copy(weights[1], weights[1] + 3, weights[2]);
         weights[0][3] = 0;
         weights[1][3] = short(depth_share);
+        weights[2][3] = short(cvRound(depth_share * (1 - normal_weight)));
+        normal_share = cvRound(depth_share * normal_weight * scale);
     }
 
     int operator()(const Feature& f, const RegionMean& r) const
@@ -40,6 +53,24 @@ public:
         for (int k = 0; k < 3; k++)
             sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
         return sum / FULL_WEIGHT;
+    }
+
+    int operator()(const Feature& f, const RegionMean& r, const Normal& n, const SurfaceMean& m) const
+    {
+        const bool known = n.known() && m.known();
+        const short* w = weights[known && f.depth && r.depth != RegionMean::NO_DEPTH ? 2 : (f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)];
+        int sum = w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
+        for (int k = 0; k < 3; k++)
+            sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
+        if (known)
+            sum += normal_share * (std::abs(STEPS_PER_LEVEL * n.x - m.x) + std::abs(STEPS_PER_LEVEL * n.y - m.y));
+        return sum / FULL_WEIGHT;
+    }
+
+    int squared(const Feature& f, const RegionMean& r, const Normal& n, const SurfaceMean& m) const
+    {
+        const int d = (*this)(f, r, n, m);
+        return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
     //! The square of it, in squared levels.
@@ -72,9 +103,10 @@ public:
         }
     }
 
+    Content content;
     bool with_depth;
-    int color_share, depth_share;
-    short weights[2][4]; //!< of a feature, without depth and with it
+    int color_share, depth_share, normal_share;
+    short weights[3][4]; //!< of a feature, without depth, with it, and with a normal, too
 
 private:
     //! Two of the four values of a feature, as they lie in memory.

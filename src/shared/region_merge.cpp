@@ -50,6 +50,29 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
+static int depthStep(short a, const SurfaceMean& na, short b, const SurfaceMean& nb)
+{
+    const int FARTHEST = 16 * 1023;
+    const int dx = std::min(std::max(nb.center_x - na.center_x, -FARTHEST), FARTHEST);
+    const int dy = std::min(std::max(nb.center_y - na.center_y, -FARTHEST), FARTHEST);
+    const int depth = a + ((na.slope_x * dx + na.slope_y * dy) >> 10);
+    return std::min(std::abs(std::min(std::max(depth, 16), 16 * 255) - b), 16 * 255);
+}
+
+static int P_MM = 0;
+
+static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& na,
+                           const SurfaceMean& nb)
+{
+    if (!na.known() || !nb.known() || a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
+        return squaredDistance(distance, a, b);
+    const int from_a = depthStep(a[3], na, b[3], nb), from_b = depthStep(b[3], nb, a[3], na);
+    const int depth = (distance.weights[2][3] * (P_MM == 0 ? std::min(from_a, from_b) : P_MM == 1 ? (from_a + from_b) / 2 : std::max(from_a, from_b))) >> 8;
+    const int x = (distance.normal_share * (na.x - nb.x)) >> 8, y = (distance.normal_share * (na.y - nb.y)) >> 8;
+    return int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16) + depth * depth +
+           x * x + y * y;
+}
+
 //! The cost of a union without the contrast: a product of powers, as the sum of logarithms. Exponents are factors then,
 //! and there are no roots and no divisions. With d the distance of the means, n the areas, l the length of the
 //! boundary, L the lightness of the means, m that of the union:
@@ -81,7 +104,7 @@ static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
                              Regions& regions)
-    : distance_(distance), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
+    : distance_((P_MM = int(P("MM", 0)), distance)), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
 }
@@ -188,14 +211,16 @@ void SimilarMerger::evaluate(int k, std::vector<int>& table)
 template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
-    const bool with_depth = distance_.with_depth;
+    const bool with_depth = distance_.with_depth, with_normals = regions_.with_normals && P("MERGE", 1);
     const MergeRules rules = rules_;
     const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
     for (size_t i = 0; i < list.count; i++)
     {
         MergeEdge& edge = list.edges[i];
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
+        const int distance = with_normals ? squaredDistance(distance_, a.mean, b.mean, regions_.surfaces[edge.a],
+                                                            regions_.surfaces[edge.b])
+                           : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         const int log_length = logarithm(float(edge.length));
         int cost = unionCost(rules, distance, light_level, a, b, log_length);
@@ -324,8 +349,7 @@ void SimilarMerger::unite()
 
 void SimilarMerger::unite(const MergePair& pair)
 {
-    regions_.sums[pair.to].add(regions_.sums[pair.from]);
-    regions_.update(pair.to);
+    regions_.unite(pair.from, pair.to);
     b_.records[pair.to] = describe(pair.to);
     b_.parents[pair.from] = pair.to;
     b_.changed[pair.to] = 1;
