@@ -41,7 +41,7 @@ static void gradientOfRow(const Feature* row, int step, const RegionDistance& di
         to[x] = gradientAt(row + x, step, distance);
 }
 
-void computeBlockGradient(const FeatureMap& features, const RegionDistance& distance, const Mat& mask,
+void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, const Mat& mask,
                           Mat& gradient)
 {
     CV_TRACE_FUNCTION();

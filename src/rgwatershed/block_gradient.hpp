@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Gradient map of all colours and depth, weighted as in the distance, CV_16UC1.
 //! mask is that of the blocks, or empty: beside what is outside of it gradients are UNKNOWN_GRADIENT.
-void computeBlockGradient(const FeatureMap& features, const RegionDistance& distance, const Mat& mask,
+void computeBlockGradient(const Padded<Feature>& features, const RegionDistance& distance, const Mat& mask,
                                      Mat& gradient);
 
 }}} // namespace

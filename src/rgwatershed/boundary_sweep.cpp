@@ -83,7 +83,7 @@ private:
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
-            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), Point(left, y),
+            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), y,
                                             gains);
             for (int i = 0; i < n; i++)
             {
@@ -275,9 +275,10 @@ void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& featur
     {
         if (region < range.start || region >= range.end)
             return;
-        regions.sums[region].add(features.data()[index], times);
-        if (regions.with_normals)
-            regions.surface_sums[region].add(features.data()[index], features.normals.data()[index], features.point(index), times);
+        const Feature& feature = features.data()[index];
+        regions.sums[region].add(feature, times);
+        if (features.with_normals)
+            regions.surfaces.sums[region].add(feature, features.normals.data()[index], features.point(index), times);
         if (guard)
             guard->add(features.point(index), region, times);
     };

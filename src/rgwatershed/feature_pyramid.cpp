@@ -7,8 +7,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mean of the depths that are valid.
-static uchar meanDepth(int a, int b, int c, int d)
+//! Mean of the values that are not 0.
+static uchar meanOfKnown(int a, int b, int c, int d)
 {
     const int valid = (a != 0) + (b != 0) + (c != 0) + (d != 0);
     return valid ? uchar((a + b + c + d + valid / 2) / valid) : uchar(0);
@@ -36,10 +36,11 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
     v_store(to->color, v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high)));
     for (int i = 0; with_depth && i < 8; i += 2)
-        to[i / 2].depth = meanDepth(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
+        to[i / 2].depth = meanOfKnown(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
 }
 
-static void halveFeatures(const FeatureMap& features, bool with_depth, const Range& rows, FeatureMap& halved)
+static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows,
+                          Padded<Feature>& halved)
 {
     const Size size = features.size();
     const int width = halved.size().width;
@@ -65,18 +66,76 @@ static void halveFeatures(const FeatureMap& features, bool with_depth, const Ran
     }
 }
 
-void makePyramid(const Mat& color, const Mat& depth, const Mat& normals, bool lab_input, int top, FeatureMap* levels)
+//! Pixels have the normal of their block if they have depth.
+static void spreadNormals(const Mat& blocks, const Range& rows, FeatureMap& pixels)
+{
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const Normal* from = blocks.ptr<Normal>(y / 2);
+        const Feature* features = pixels.row(y);
+        Normal* to = pixels.normals.row(y);
+        for (int x = 0; x < pixels.size().width; x++)
+        {
+            const int has_depth = -int(features[x].depth != 0); // all bits
+            to[x].x = uchar(from[x / 2].x & has_depth);
+            to[x].y = uchar(from[x / 2].y & has_depth);
+        }
+    }
+}
+
+//! Means of 2x2, of those that are known.
+static void halveNormals(const Padded<Normal>& normals, const Range& rows, Padded<Normal>& halved)
+{
+    const Size size = normals.size();
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const Normal* upper = normals.row(2 * y);
+        const Normal* lower = normals.row(std::min(2 * y + 1, size.height - 1));
+        Normal* to = halved.row(y);
+        for (int x = 0; x < halved.size().width; x++)
+        {
+            const int left = 2 * x, right = std::min(2 * x + 1, size.width - 1);
+            to[x].x = meanOfKnown(upper[left].x, upper[right].x, lower[left].x, lower[right].x);
+            to[x].y = meanOfKnown(upper[left].y, upper[right].y, lower[left].y, lower[right].y);
+        }
+    }
+}
+
+//! Normals of some rows of a level, when its features are there.
+static void makeNormals(const Mat& blocks, int level, const Range& rows, FeatureMap* levels)
+{
+    if (level == 0)
+        spreadNormals(blocks, rows, levels[0]);
+    else if (level == 1)
+        for (int y = rows.start; y < rows.end; y++)
+            std::copy(blocks.ptr<Normal>(y), blocks.ptr<Normal>(y) + blocks.cols, levels[1].normals.row(y));
+    else
+        halveNormals(levels[level - 1].normals, rows, levels[level].normals);
+}
+
+static void createLevels(const Frame& frame, int top, FeatureMap* levels)
+{
+    Size size = frame.color.size();
+    Camera camera = frame.camera;
+    for (int level = 0; level <= top; level++)
+    {
+        levels[level].create(size, Feature());
+        levels[level].with_normals = !frame.normals.empty();
+        levels[level].camera = camera;
+        if (!frame.normals.empty())
+            levels[level].normals.create(size, Normal());
+        size = Size((size.width + 1) / 2, (size.height + 1) / 2);
+        camera = camera.halved();
+    }
+}
+
+void makePyramid(const Frame& frame, bool lab_input, int top, FeatureMap* levels)
 {
     CV_TRACE_FUNCTION();
     const int BAND_HEIGHT = 16; // while its rows are in the cache
     CV_DbgAssert(BAND_HEIGHT % (1 << top) == 0); // a band has whole blocks on every level
-    Size size = color.size();
-    for (int level = 0; level <= top; level++, size = Size((size.width + 1) / 2, (size.height + 1) / 2))
-    {
-        levels[level].create(size, Feature());
-        if (!normals.empty())
-            levels[level].normals.create(size, Normal());
-    }
+    const Mat &color = frame.color, &depth = frame.depth;
+    createLevels(frame, top, levels);
     parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
@@ -90,30 +149,10 @@ void makePyramid(const Mat& color, const Mat& depth, const Mat& normals, bool la
                                        color.cols, levels[0].row(y));
                 else
                     halveFeatures(levels[level - 1], !depth.empty(), rows, levels[level]);
+                if (!frame.normals.empty())
+                    makeNormals(frame.normals, level, rows, levels);
             }
     });
-    for (int level = 0; !normals.empty() && level <= top; level++)
-        for (int y = 0; y < levels[level].size().height; y++)
-            for (int x = 0; x < levels[level].size().width; x++)
-            {
-                Normal& n = levels[level].normals.row(y)[x];
-                if (level == 0)
-                    n = levels[0].row(y)[x].depth ? normals.at<Normal>(y / 2, x / 2) : Normal();
-                else if (level == 1)
-                    n = normals.at<Normal>(y, x);
-                else
-                {
-                    const Size before = levels[level - 1].size();
-                    int sx = 0, sy = 0, count = 0;
-                    for (int k = 0; k < 4; k++)
-                    {
-                        const Normal& f = levels[level - 1].normals.row(std::min(2 * y + k / 2, before.height - 1))[std::min(2 * x + k % 2, before.width - 1)];
-                        sx += f.x; sy += f.y; count += f.known();
-                    }
-                    n.x = uchar(count ? (sx + count / 2) / count : 0);
-                    n.y = uchar(count ? (sy + count / 2) / count : 0);
-                }
-            }
 }
 
 }}} // namespace

@@ -6,13 +6,14 @@
 #define OPENCV_GWATERSHED_FEATURE_PYRAMID_HPP
 
 #include "shared/features.hpp"
+#include "shared/frame.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Opponent colours, or colours as they are, and depth, on the levels 0 (of pixels) to top. A level has the means of
 //! blocks of 2x2 of the one before; an odd last row or column is repeated.
-//! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makePyramid(const Mat& color, const Mat& depth, const Mat& normals, bool lab_input, int top, FeatureMap* levels);
+//! Normals, if there are any, are those of the blocks of level 1.
+void makePyramid(const Frame& frame, bool lab_input, int top, FeatureMap* levels);
 
 }}} // namespace
 

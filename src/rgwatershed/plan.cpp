@@ -7,12 +7,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-static RegionDistance::Content contentOf(const Frame& frame)
-{
-    return !frame.normals.empty() ? RegionDistance::NORMALS
-         : !frame.depth.empty() ? RegionDistance::DEPTH : RegionDistance::COLOR;
-}
-
 static double countBlocks(Size size, int level)
 {
     for (; level > 0; level--)
@@ -53,9 +47,9 @@ static int chooseLevel(const Frame& frame, float ruler, const MaskPyramid& masks
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : level(chooseLevel(frame, parameters.ruler, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler)), flood_distance(floodDistance(parameters.alpha, contentOf(frame))),
+      merge_rules(mergeRules(ruler)), flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
-      sweep(sweepDistance(parameters.alpha, contentOf(frame)), frame.markers)
+      sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
@@ -63,19 +57,14 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(level), masks.components(level))
                              : frame.num_superpixels;
     num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
-    if (!frame.normals.empty())
-    {
-        merge_rules.distance = int(P("MD", merge_rules.distance)); merge_rules.areas = int(P("MA", merge_rules.areas));
-        merge_rules.length = int(P("ML", merge_rules.length)); merge_rules.lightness = int(P("MLI", merge_rules.lightness)); merge_rules.brightness = int(P("MB", merge_rules.brightness));
-    }
     band_height = floodBandHeight(blocks, num_superpixels);
-    sweep_before_merging.length_price = boundaryPrice(frame.normals.empty() ? PRICE_BEFORE_MERGING : P("PB", PRICE_BEFORE_MERGING), side, ruler);
+    sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
     sweep.length_price = boundaryPrice(frame.normals.empty() ? PRICE : P("PR", PRICE), side, ruler);
 }
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
-    return cvRound(std::min(4096 * ruler * (flood_distance.content == RegionDistance::NORMALS ? P("FR", FLOOD_RULER) : FLOOD_RULER) / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+    return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
 }
 
 }}} // namespace

@@ -9,8 +9,8 @@ namespace cv { namespace ximgproc { namespace gws {
 RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                            const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
-      means_(regions.means.data()), normals_(features.normals.data()),
-      surfaces_(regions.surfaces.data()), distance_(distance), step_(labels.step())
+      means_(regions.means.data()), normals_(features.normals.data()), surfaces_(regions.surfaces.means.data()),
+      distance_(distance), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -25,9 +25,29 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
+RegionMean RegionChoice::surfaceAt(int region, int pixel, int y, int& of_normals) const
+{
+    const int UNIT = SurfaceMean::CENTER_UNIT, x = pixel - (y + 1) * step_ - 1;
+    const SurfaceMean& surface = surfaces_[region];
+    RegionMean mean = means_[region];
+    mean.depth = depthAt(mean.depth, surface, UNIT * x, UNIT * y);
+    of_normals = distance_.ofNormals(normals_[pixel], surface);
+    return mean;
+}
+
+int RegionChoice::squaredDistance(int pixel, int y, int region) const
+{
+    if (!distance_.with_normals)
+        return distance_.squared(features_[pixel], means_[region]);
+    int of_normals;
+    const RegionMean mean = surfaceAt(region, pixel, y, of_normals);
+    return distance_.squared(features_[pixel], mean, of_normals);
+}
+
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
-template <RegionDistance::Content CONTENT> void RegionChoice::findOpen(const int* pixels, int n, Point row, OpenPixels& open) const
+template <bool WITH_DEPTH, bool WITH_NORMALS>
+void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
     Feature* const features = open.features;
     RegionMean* const means = open.means;
@@ -35,31 +55,21 @@ template <RegionDistance::Content CONTENT> void RegionChoice::findOpen(const int
     for (int i = 0; i < n; i++)
     {
         features[i] = features_[pixels[i]];
-        means[i] = means_[labels_[pixels[i]]];
+        const int own = labels_[pixels[i]];
+        means[i] = WITH_NORMALS ? surfaceAt(own, pixels[i], y, open.squares[i]) : means_[own];
     }
     for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
     {
+        open.squares[i] = 0;
         features[i] = features[n - 1];
         means[i] = means[n - 1];
     }
-    if (CONTENT == RegionDistance::NORMALS)
-    {
-        for (int i = 0; i < n; i++)
-        {
-            open.normals[i] = normals_[pixels[i]];
-            open.surfaces[i] = surfaces_[labels_[pixels[i]]];
-            open.squares[i] = distance_.squared(features[i], meanAt(means[i], open.surfaces[i], Point(pixels[i] - row.x, row.y)), open.normals[i], open.surfaces[i]);
-        }
-    }
-    else
-    distance_.squared<CONTENT != RegionDistance::COLOR>(features, means, n, open.squares);
+    distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, n, open.squares);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
         const int pixel = pixels[i], slack = open.squares[i] - bounds_[masks_[pixel]];
         features[count] = features[i];
-        if (CONTENT == RegionDistance::NORMALS)
-            open.normals[count] = open.normals[i];
         open.indices[count] = pixel;
         open.slack[count] = slack;
         count += slack > 0;
@@ -69,16 +79,11 @@ template <RegionDistance::Content CONTENT> void RegionChoice::findOpen(const int
     {
         const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
         const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
-        means[i] = means_[first & ~(first >> 31)];
-        if (CONTENT == RegionDistance::NORMALS)
-            open.surfaces[i] = surfaces_[first & ~(first >> 31)];
+        const int other = first & ~(first >> 31);
+        means[i] = WITH_NORMALS ? surfaceAt(other, open.indices[i], y, open.squares[i]) : means_[other];
         several[i] = uchar((first != last) | table_.isTip(mask));
     }
-    if (CONTENT == RegionDistance::NORMALS)
-        for (int i = 0; i < count; i++)
-            open.squares[i] = distance_.squared(features[i], meanAt(means[i], open.surfaces[i], Point(open.indices[i] - row.x, row.y)), open.normals[i], open.surfaces[i]);
-    else
-    distance_.squared<CONTENT != RegionDistance::COLOR>(features, means, count, open.squares);
+    distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, count, open.squares);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {
@@ -102,15 +107,15 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
     choice.seen |= mask;
 }
 
-int RegionChoice::findGains(const int* pixels, int n, Point row, Gain* gains) const
+int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.content == RegionDistance::NORMALS)
-        findOpen<RegionDistance::NORMALS>(pixels, n, row, open);
+    if (distance_.with_normals)
+        findOpen<true, true>(pixels, n, y, open);
     else if (distance_.with_depth)
-        findOpen<RegionDistance::DEPTH>(pixels, n, row, open);
+        findOpen<true, false>(pixels, n, y, open);
     else
-        findOpen<RegionDistance::COLOR>(pixels, n, row, open);
+        findOpen<false, false>(pixels, n, y, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;
@@ -130,7 +135,7 @@ int RegionChoice::findGains(const int* pixels, int n, Point row, Gain* gains) co
         do
         {
             const int region = label[first_offsets_[choice.seen]];
-            compare(pixel, distance_.content == RegionDistance::NORMALS ? distance_.squared(features_[pixel], meanAt(means_[std::max(region, 0)], surfaces_[std::max(region, 0)], Point(pixel - row.x, row.y)), normals_[pixel], surfaces_[std::max(region, 0)]) : distance_.squared(features_[pixel], means_[std::max(region, 0)]), choice);
+            compare(pixel, squaredDistance(pixel, y, std::max(region, 0)), choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
     }

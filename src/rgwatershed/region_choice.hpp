@@ -27,9 +27,9 @@ public:
     RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                  const Regions& regions, const RegionDistance& distance, int length_price);
 
-    //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
+    //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one for
     //! each. Returns how many. Pixels that cannot leave are none of them.
-    int findGains(const int* pixels, int n, Point row, Gain* gains) const;
+    int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
     //! Pixels that another region may win.
@@ -37,8 +37,6 @@ private:
     {
         Feature features[BATCH];
         RegionMean means[BATCH]; // of a region that a pixel is compared with
-        Normal normals[BATCH];
-        SurfaceMean surfaces[BATCH];
         int count;
         int indices[BATCH];
         int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
@@ -51,7 +49,12 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    template <RegionDistance::Content CONTENT> void findOpen(const int* pixels, int n, Point row, OpenPixels& open) const;
+    template <bool WITH_DEPTH, bool WITH_NORMALS>
+    void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
+
+    //! The mean of a region with the depth of its plane at a pixel, and what the normals of both add to their distance.
+    RegionMean surfaceAt(int region, int pixel, int y, int& of_normals) const;
+    int squaredDistance(int pixel, int y, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;

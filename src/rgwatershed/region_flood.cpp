@@ -17,14 +17,14 @@ void FloodRegion::update()
 
 //! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is
 //! taken from its components within 4 percent.
-template <RegionDistance::Content CONTENT> class NeighborPriorities
+template <bool WITH_DEPTH> class NeighborPriorities
 {
 public:
     NeighborPriorities(const RegionDistance& distance, int ruler)
-        : normal_(v_setall_s16(short(P("FLOOD", 1) * distance.normal_share))), longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13)))
+        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13)))
     {
         const short (*w)[4] = distance.weights;
-        for (int k = 0; k <= CONTENT; k++)
+        for (int k = 0; k < 1 + WITH_DEPTH; k++)
         {
             even_[k] = setPair(w[k][0], w[k][2]);
             odd_[k] = setPair(w[k][1], w[k][3]);
@@ -32,34 +32,19 @@ public:
     }
 
     //! features: of left, top, right and bottom; offset: from the block to the marker of the region.
-    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, const SurfaceMean& normal, const v_uint32x4& normals, const v_int16x8& odd_means, Point offset) const
+    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset) const
     {
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
         const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
         const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
         const v_int16x8 even_away = difference(even, setPair(region.means[0], region.means[1]));
-        const v_int16x8 odd_away = difference(odd, CONTENT == RegionDistance::NORMALS ? odd_means : setPair(region.means[2], region.means[3]));
+        const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
         v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0]));
-        if (CONTENT != RegionDistance::COLOR && region.means[3] != RegionMean::NO_DEPTH)
+        if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
         {
             const v_int32x4 has_depth = v_reinterpret_as_s32(v_min(v_shr<24>(features), v_setall_u32(1)));
             const v_int32x4 with_depth = v_dotprod(odd_away, odd_[1], v_dotprod(even_away, even_[1]));
-            if (CONTENT == RegionDistance::NORMALS && normal.known())
-            {
-                const v_int32x4 has_normal = v_reinterpret_as_s32(v_min(normals, v_setall_u32(1)));
-                const v_int32x4 both = v_muladd(has_depth, has_normal, v_setzero_s32());
-                const v_int32x4 with_normal = v_dotprod(odd_away, odd_[2], v_dotprod(even_away, even_[2]));
-                away = v_muladd(v_muladd(with_depth, v_setall_s32(-1), with_normal), both,
-                                v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away));
-            }
-            else
-                away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
-        }
-        if (CONTENT == RegionDistance::NORMALS && normal.known())
-        {
-            const v_int32x4 has_normal = v_reinterpret_as_s32(v_min(normals, v_setall_u32(1)));
-            const v_int16x8 n = difference(v_reinterpret_as_s16(v_shl<4>(v_reinterpret_as_u16(normals))), setPair(normal.x, normal.y));
-            away = v_muladd(v_dotprod(n, normal_), has_normal, away);
+            away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
         }
         const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
         const short dy = short(std::max(std::min(offset.y, int(FARTHEST)), -FARTHEST));
@@ -85,20 +70,17 @@ private:
         return v_reinterpret_as_s16(v_absdiff(a, b));
     }
 
-    v_int16x8 even_[3], odd_[3];      // weights of the channels 0 and 2, and 1 and 3, without depth and with it
-    const v_int16x8 normal_;
+    v_int16x8 even_[2], odd_[2];      // weights of the channels 0 and 2, and 1 and 3, without depth and with it
     const v_int16x8 longer_, both_; // of the longer component, and of each
 };
 
 //! The flood of some rows; nothing crosses to others.
-template <RegionDistance::Content CONTENT> class RegionFlood
+template <bool WITH_DEPTH> class RegionFlood
 {
 public:
-    RegionFlood(const FeatureMap& features, const RegionDistance& distance, int ruler, const Range& rows, const Camera& camera,
-                std::vector<FloodRegion>& regions, std::vector<FloodSurface>& surfaces, FloodBuffers::Band& band,
-                Padded<int>& labels)
-        : features_(features.data()), normals_(features.normals.data()), regions_(regions.data()),
-          surfaces_(surfaces.data()), camera_(camera), labels_(labels),
+    RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
+                std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
+        : features_(features.data()), regions_(regions.data()), labels_(labels),
           priorities_of_(distance, ruler), step_(labels.step()), first_(labels.index(Point(-1, rows.start - 1))),
           queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
     {
@@ -129,14 +111,7 @@ public:
                 if (waiting == CLOSED)
                     continue; // it was taken out at a lower priority before
                 waiting = CLOSED;
-                const int label = labels_.data()[block];
-                regions_[label].add(features_[block]);
-                if (CONTENT == RegionDistance::NORMALS)
-                {
-                    surfaces_[label].sum.add(features_[block], normals_[block], labels_.point(block));
-                    if (regions_[label].sum.area + regions_[label].sum.area / MEAN_GROWTH + 1 == regions_[label].next_update)
-                        surfaces_[label].mean = surfaces_[label].sum.mean(regions_[label].means[3], regions_[label].sum.depth_area, camera_);
-                }
+                regions_[labels_.data()[block]].add(features_[block]);
                 spread(block);
             }
     }
@@ -151,33 +126,16 @@ private:
         return bits;
     }
 
-    unsigned normalOf(int block) const { return normals_[block].x | unsigned(normals_[block].y) << 16; }
-
     //! Offers the neighbours of a block to its region, where none offers as much.
     void spread(int block)
     {
         const int label = labels_.data()[block];
         const FloodRegion& region = regions_[label];
         short* waiting = &waiting_[block - first_];
-        const Point p = labels_.point(block);
-        SurfaceMean normal = SurfaceMean();
-        v_int16x8 odd_means = v_setzero_s16();
-        v_uint32x4 normals = v_setzero_u32();
-        if (CONTENT == RegionDistance::NORMALS)
-        {
-            normal = surfaces_[label].mean;
-            RegionMean mean = RegionMean();
-            mean.depth = region.means[3];
-            const short c = region.means[2];
-            odd_means = v_int16x8(c, meanAt(mean, normal, p + Point(-1, 0)).depth, c, meanAt(mean, normal, p + Point(0, -1)).depth,
-                                  c, meanAt(mean, normal, p + Point(1, 0)).depth, c, meanAt(mean, normal, p + Point(0, 1)).depth);
-            normals = v_uint32x4(normalOf(block - 1), normalOf(block - step_), normalOf(block + 1), normalOf(block + step_));
-        }
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
         const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
                                                                   bitsOf(block + 1), bitsOf(block + step_)), region,
-                                                       normal, normals, odd_means,
-                                                       region.center - p),
+                                                       region.center - labels_.point(block)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
         const int offsets[4] = { -1, -step_, 1, step_ };
@@ -195,12 +153,9 @@ private:
     }
 
     const Feature* features_;
-    const Normal* normals_;
     FloodRegion* regions_;
-    FloodSurface* surfaces_;
-    const Camera& camera_;
     Padded<int>& labels_;
-    const NeighborPriorities<CONTENT> priorities_of_;
+    const NeighborPriorities<WITH_DEPTH> priorities_of_;
     const int step_, first_;
     BucketQueue<int, FloodBuffers::PRIORITIES>& queues_;
     std::vector<int>& batch_;
@@ -208,21 +163,19 @@ private:
 };
 
 //! Floods some rows from seeds, by regions that are ready in the buffers.
-static void floodRows(const FeatureMap& features, const RegionDistance& distance, int ruler, const Range& rows,
-                      const Point* first_seed, const Point* end_seed, const Camera& camera, FloodBuffers& buffers, FloodBuffers::Band& band,
+static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
+                      const Point* first_seed, const Point* end_seed, FloodBuffers& buffers, FloodBuffers::Band& band,
                       Padded<int>& labels)
 {
-    if (distance.content == RegionDistance::NORMALS)
-        RegionFlood<RegionDistance::NORMALS>(features, distance, ruler, rows, camera, buffers.regions, buffers.surfaces, band, labels).run(first_seed, end_seed);
-    else if (distance.with_depth)
-        RegionFlood<RegionDistance::DEPTH>(features, distance, ruler, rows, camera, buffers.regions, buffers.surfaces, band, labels).run(first_seed, end_seed);
+    if (distance.with_depth)
+        RegionFlood<true>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
     else
-        RegionFlood<RegionDistance::COLOR>(features, distance, ruler, rows, camera, buffers.regions, buffers.surfaces, band, labels).run(first_seed, end_seed);
+        RegionFlood<false>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
 }
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
-void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
+void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
@@ -231,7 +184,6 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
     regions.update();
     regions.resize(first + int(markers.size()));
     buffers.regions.resize(regions.size());
-    buffers.surfaces.resize(regions.surface_sums.size());
     buffers.bands.resize(bands.size());
     parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
     {
@@ -244,28 +196,19 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 labels.data()[seed] = first + m;
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
-                if (regions.with_normals)
-                {
-                    FloodSurface& surface = buffers.surfaces[first + m];
-                    surface.sum = SurfaceSum();
-                    surface.sum.add(features.data()[seed], features.normals.data()[seed], markers[m]);
-                    surface.mean = surface.sum.mean(buffers.regions[first + m].means[3], buffers.regions[first + m].sum.depth_area, regions.camera);
-                }
             }
             floodRows(features, distance, ruler, bands[i].rows, markers.data() + own.start, markers.data() + own.end,
-                      regions.camera, buffers, buffers.bands[i], labels);
+                      buffers, buffers.bands[i], labels);
             for (int m = own.start; m < own.end; m++)
             {
                 regions.sums[first + m] = buffers.regions[first + m].sum;
-                if (regions.with_normals)
-                    regions.surface_sums[first + m] = buffers.surfaces[first + m].sum;
                 regions.update(first + m);
             }
         }
     });
 }
 
-void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
+void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -283,21 +226,13 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     }
     const int NO_RULER = 0;
     buffers.regions.resize(regions.size());
-    buffers.surfaces.resize(regions.surface_sums.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
         buffers.regions[i] = FloodRegion(regions.sums[i], Point());
-    for (size_t i = 0; i < regions.surface_sums.size(); i++)
-    {
-        buffers.surfaces[i].sum = regions.surface_sums[i];
-        buffers.surfaces[i].mean = regions.surface_sums[i].mean(buffers.regions[i].means[3], buffers.regions[i].sum.depth_area, regions.camera);
-    }
-    floodRows(features, distance, NO_RULER, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(), regions.camera, buffers,
+    floodRows(features, distance, NO_RULER, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(), buffers,
               buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
-    for (size_t i = 0; i < regions.surface_sums.size(); i++)
-        regions.surface_sums[i] = buffers.surfaces[i].sum;
     regions.update();
 }
 

@@ -37,13 +37,6 @@ struct FloodRegion
     int next_update; //!< area at which the means are taken anew
 };
 
-//! The same of its surface, if there are normals.
-struct FloodSurface
-{
-    SurfaceSum sum;
-    SurfaceMean mean;
-};
-
 //! Buffers of a flood.
 struct FloodBuffers
 {
@@ -58,19 +51,18 @@ struct FloodBuffers
     std::vector<Band> bands;
     std::vector<Point> seeds; // blocks that the flood begins with
     std::vector<FloodRegion> regions;
-    std::vector<FloodSurface> surfaces; // of the regions; empty without normals
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
 //! are there.
 //! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256.
-void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
+void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
 //! stays UNSEEN.
-void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
+void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions);
 
 }}} // namespace

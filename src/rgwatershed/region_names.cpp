@@ -18,9 +18,11 @@ void measureErrors(const FeatureMap& features, const RegionDistance& distance, c
         {
             const int label = labels.row(y)[x];
             if (label >= 0)
-                errors[label] += regions.with_normals
-                        ? distance.squared(features.row(y)[x], meanAt(regions.means[label], regions.surfaces[label], Point(x, y)), features.normals.row(y)[x], regions.surfaces[label])
-                        : distance.squared(features.row(y)[x], regions.means[label]);
+            {
+                const int of_normals = distance.with_normals
+                        ? distance.ofNormals(features.normals.row(y)[x], regions.surfaces.means[label]) : 0;
+                errors[label] += distance.squared(features.row(y)[x], regions.meanAt(label, Point(x, y)), of_normals);
+            }
         }
 }
 

@@ -30,11 +30,8 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.level;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    regions_.with_normals = !frame.normals.empty();
-    regions_.camera = frame.camera;
-    for (int i = 0; i < top; i++)
-        regions_.camera = halve(regions_.camera);
-    makePyramid(frame.color, frame.depth, frame.normals, parameters.lab_input, top, features_);
+    makePyramid(frame, parameters.lab_input, top, features_);
+    regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
@@ -73,6 +70,8 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
                     flood_buffers_, labels_[plan.level], regions_);
+    if (features.with_normals)
+        measureRegions(features, labels_[plan.level].view(CV_32SC1), regions_);
 }
 
 //! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it

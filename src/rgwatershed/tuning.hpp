@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_TUNING_HPP
 #define OPENCV_GWATERSHED_TUNING_HPP
 
+#include "shared/parameters.hpp"
 #include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -39,6 +40,11 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
 
+// With surfaces: how much more depth and normals count against colour than depth alone, and levels of depth for those
+// of a normal, of which there are 127 for 1.
+static double P(const char* n, double v) { const char* s = getenv(n); return s ? atof(s) : v; }
+static const float SURFACE_TRUST = float(P("TRUST", 3)), NORMAL_SCALE = float(P("NSC", 1.3));
+
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
 static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
@@ -71,20 +77,28 @@ inline double fewestBlocks(int num_superpixels, float ruler)
     return double(num_superpixels) * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
 }
 
-//! The distance that leads in finding regions.
-inline RegionDistance floodDistance(float alpha, RegionDistance::Content content)
+//! With normals, depth is measured against planes, so both are trusted more beside colour.
+inline RegionDistance makeDistance(int lightness, int chroma, const Parameters& parameters, bool with_depth,
+                                   bool with_normals)
 {
-    if (content == RegionDistance::NORMALS)
-        return RegionDistance(int(P("FL", FLOOD_LIGHTNESS)), int(P("FC", FLOOD_CHROMA)), float(P("FA", alpha)), content, P("FNS", 0));
-    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, content);
+    if (!with_normals)
+        return RegionDistance(lightness, chroma, parameters.alpha, with_depth);
+    const float color = parameters.alpha, surface = float(P("TRUST", SURFACE_TRUST)) * (1 - parameters.alpha);
+    RegionDistance distance(lightness, chroma, color / (color + surface), with_depth);
+    distance.addNormals(float(P("NW", parameters.normal_weight)), float(P("NSC", NORMAL_SCALE)));
+    return distance;
+}
+
+//! The distance that leads in finding regions.
+inline RegionDistance floodDistance(const Parameters& parameters, bool with_depth, bool with_normals)
+{
+    return makeDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, parameters, with_depth, with_normals);
 }
 
 //! The distance that leads in settling boundaries.
-inline RegionDistance sweepDistance(float alpha, RegionDistance::Content content)
+inline RegionDistance sweepDistance(const Parameters& parameters, bool with_depth, bool with_normals)
 {
-    if (content == RegionDistance::NORMALS)
-        return RegionDistance(int(P("SL", SWEEP_LIGHTNESS)), int(P("SC", SWEEP_CHROMA)), float(P("SA", alpha)), content, P("SNS", 0));
-    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, content);
+    return makeDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, parameters, with_depth, with_normals);
 }
 
 }}} // namespace

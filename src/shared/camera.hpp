@@ -12,28 +12,28 @@ namespace cv { namespace ximgproc { namespace gws {
 //! How places in an image, or on a level of blocks, become directions in space.
 struct Camera
 {
-    Point2f focal;      //!< focal length, in elements
-    Point2f center;     //!< where the optical axis meets the image
-    float horizon = 0;  //!< nearness of what is infinitely far away, in levels; it may be below 0
+    Point2f focal;     //!< focal length, in elements
+    Point2f center;    //!< where the optical axis meets the image
+    float horizon = 0; //!< nearness of what is infinitely far away, in levels; it may be below 0
+
+    //! The same for elements that are twice as large.
+    Camera halved() const
+    {
+        Camera camera = *this;
+        camera.focal = focal * 0.5f;
+        camera.center = (center - Point2f(0.5f, 0.5f)) * 0.5f;
+        return camera;
+    }
+
+    //! The same for elements that are half as large.
+    Camera doubled() const
+    {
+        Camera camera = *this;
+        camera.focal = focal * 2;
+        camera.center = center * 2 + Point2f(0.5f, 0.5f);
+        return camera;
+    }
 };
-
-//! The same for elements that are twice as large.
-inline Camera halve(const Camera& camera)
-{
-    Camera half = camera;
-    half.focal = camera.focal * 0.5f;
-    half.center = (camera.center - Point2f(0.5f, 0.5f)) * 0.5f;
-    return half;
-}
-
-//! The same for elements that are half as large.
-inline Camera twice(const Camera& camera)
-{
-    Camera fine = camera;
-    fine.focal = camera.focal * 2;
-    fine.center = camera.center * 2 + Point2f(0.5f, 0.5f);
-    return fine;
-}
 
 }}} // namespace
 

@@ -5,9 +5,14 @@
 #ifndef OPENCV_GWATERSHED_FEATURES_HPP
 #define OPENCV_GWATERSHED_FEATURES_HPP
 
+#include "shared/camera.hpp"
 #include "shared/padded.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
+
+//! Fixed-point units of means, distances and weights.
+static const int STEPS_PER_LEVEL = 16; //!< of the 8-bit grey levels of a feature: means and distances are in these
+static const int FULL_WEIGHT = 256;    //!< a weight of 1
 
 //! A pixel, or a block of pixels, as RGWATERSHED compares it: lightness and two colour differences
 //! of an opponent space, and scaled depth, 0 if missing.
@@ -23,13 +28,16 @@ struct Normal
 {
     uchar x, y;
 
+    enum { ZERO = 128, ONE = 127 };
     bool known() const { return x != 0; }
 };
 
-//! Features of the pixels of an image, or of the blocks of a level, and beside them normals, if there are any.
+//! Features of the pixels of an image, or of the blocks of a level, and beside them their normals, if there are any.
 struct FeatureMap : Padded<Feature>
 {
     Padded<Normal> normals;
+    Camera camera; //!< of the normals, in elements of this map
+    bool with_normals = false;
 };
 
 //! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become

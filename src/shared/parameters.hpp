@@ -23,6 +23,9 @@ struct Parameters
     float high_value = 0;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
+    float focal_x = 0;      //!< in pixels; 0: a usual one
+    float focal_y = 0;      //!< 0: as focal_x
+    float normal_weight = 0.2f;
     float border_threshold = 150; //!< measured, see doc/log.md; 0: none
 
     void setAlgorithm(int value);

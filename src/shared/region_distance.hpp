@@ -10,12 +10,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-inline double P(const char* name, double value)
-{
-    const char* s = getenv(name);
-    return s ? atof(s) : value;
-}
-
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth.
 //! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
@@ -23,13 +17,9 @@ inline double P(const char* name, double value)
 class RegionDistance
 {
 public:
-    //! What features have: colour alone, depth too, or normals too.
-    enum Content { COLOR, DEPTH, NORMALS };
-
     //! with_depth may be false if no feature has depth; it makes some loops faster.
-    RegionDistance(int lightness, int chroma, float alpha, Content content_, double scale_ = 0) : content(content_), with_depth(content != COLOR)
+    RegionDistance(int lightness, int chroma, float alpha, bool with_depth_) : with_depth(with_depth_)
     {
-        const float normal_weight = P("NW", 0.5), scale = scale_ > 0 ? scale_ : P("NS", 2);
         const float larger = std::max(alpha, 1 - alpha);
         color_share = cvRound(FULL_WEIGHT * alpha / larger);
         depth_share = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
@@ -39,49 +29,47 @@ public:
             weights[0][k] = color[k];
             weights[1][k] = short((color_share * color[k] + FULL_WEIGHT / 2) / FULL_WEIGHT);
         }
-        std::copy(weights[1], weights[1] + 3, weights[2]);
         weights[0][3] = 0;
         weights[1][3] = short(depth_share);
-        weights[2][3] = short(cvRound(depth_share * (1 - normal_weight)));
-        normal_share = cvRound(depth_share * normal_weight * scale);
     }
 
-    int operator()(const Feature& f, const RegionMean& r) const
+    //! Normals count, too. weight is their share in what counts beside colour, scale that of a normal of 1 against 127
+    //! levels of depth.
+    void addNormals(float weight, float scale)
+    {
+        with_normals = true;
+        normal_share = cvRound(depth_share * weight * scale);
+        depth_share = cvRound(depth_share * (1 - weight));
+        weights[1][3] = short(depth_share);
+    }
+
+    //! What a normal adds to a distance, in 1/FULL_WEIGHT of a step; nothing if one is not known.
+    int ofNormals(const Normal& n, const SurfaceMean& s) const
+    {
+        const int both = -int(n.known() & s.known()); // all bits
+        return normal_share * (std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y)) & both;
+    }
+
+    int operator()(const Feature& f, const RegionMean& r, int of_normals = 0) const
     {
         const short* w = weightsOf(f, r);
-        int sum = w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
+        int sum = of_normals + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
         for (int k = 0; k < 3; k++)
             sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
         return sum / FULL_WEIGHT;
-    }
-
-    int operator()(const Feature& f, const RegionMean& r, const Normal& n, const SurfaceMean& m) const
-    {
-        const bool known = n.known() && m.known();
-        const short* w = weights[known && f.depth && r.depth != RegionMean::NO_DEPTH ? 2 : (f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)];
-        int sum = w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
-        for (int k = 0; k < 3; k++)
-            sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
-        if (known)
-            sum += normal_share * (std::abs(STEPS_PER_LEVEL * n.x - m.x) + std::abs(STEPS_PER_LEVEL * n.y - m.y));
-        return sum / FULL_WEIGHT;
-    }
-
-    int squared(const Feature& f, const RegionMean& r, const Normal& n, const SurfaceMean& m) const
-    {
-        const int d = (*this)(f, r, n, m);
-        return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
     //! The square of it, in squared levels.
-    int squared(const Feature& f, const RegionMean& r) const
+    int squared(const Feature& f, const RegionMean& r, int of_normals = 0) const
     {
-        const int d = (*this)(f, r);
+        const int d = (*this)(f, r, of_normals);
         return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
     //! The squares of many pairs. Arrays have room for a multiple of 4, so that no pair is treated in another way.
-    template <bool WITH_DEPTH> void squared(const Feature* features, const RegionMean* means, int n, int* squares) const
+    //! Before, squares hold what normals add, if these count.
+    template <bool WITH_DEPTH, bool WITH_NORMALS>
+    void squared(const Feature* features, const RegionMean* means, int n, int* squares) const
     {
         const v_int32x4 color = v_setall_s32(pairOf(weights[0], 0)), depth = v_setall_s32(pairOf(weights[0], 2));
         for (int i = 0; i < n; i += 4)
@@ -96,17 +84,17 @@ public:
             v_int32x4 color_differences, depth_differences;
             splitPairs(difference(low, means[i].color), difference(high, means[i + 2].color), color_differences,
                        depth_differences);
+            const v_int32x4 of_normals = WITH_NORMALS ? v_load(squares + i) : v_setzero_s32();
             const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
-                v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second)));
+                v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second), of_normals));
             const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
             v_store(squares + i, v_shr<8>(v_dotprod(d, d)));
         }
     }
 
-    Content content;
-    bool with_depth;
-    int color_share, depth_share, normal_share;
-    short weights[3][4]; //!< of a feature, without depth, with it, and with a normal, too
+    bool with_depth, with_normals = false;
+    int color_share, depth_share, normal_share = 0;
+    short weights[2][4]; //!< of a feature, without depth and with it
 
 private:
     //! Two of the four values of a feature, as they lie in memory.

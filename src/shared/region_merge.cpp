@@ -50,27 +50,26 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
-static int depthStep(short a, const SurfaceMean& na, short b, const SurfaceMean& nb)
+//! How far the centre of one region is from the plane of another one, in depth.
+static int depthBetween(const SurfaceMean& plane, int depth, const SurfaceMean& other, int other_depth)
 {
-    const int FARTHEST = 16 * 1023;
-    const int dx = std::min(std::max(nb.center_x - na.center_x, -FARTHEST), FARTHEST);
-    const int dy = std::min(std::max(nb.center_y - na.center_y, -FARTHEST), FARTHEST);
-    const int depth = a + ((na.slope_x * dx + na.slope_y * dy) >> 10);
-    return std::min(std::abs(std::min(std::max(depth, 16), 16 * 255) - b), 16 * 255);
+    return std::abs(depthAt(depth, plane, other.center_x, other.center_y) - other_depth);
 }
 
-static int P_MM = 0;
-
-static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& na,
-                           const SurfaceMean& nb)
+//! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
+//! may be wrong.
+static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& surface_a,
+                           const SurfaceMean& surface_b)
 {
-    if (!na.known() || !nb.known() || a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
-        return squaredDistance(distance, a, b);
-    const int from_a = depthStep(a[3], na, b[3], nb), from_b = depthStep(b[3], nb, a[3], na);
-    const int depth = (distance.weights[2][3] * (P_MM == 0 ? std::min(from_a, from_b) : P_MM == 1 ? (from_a + from_b) / 2 : std::max(from_a, from_b))) >> 8;
-    const int x = (distance.normal_share * (na.x - nb.x)) >> 8, y = (distance.normal_share * (na.y - nb.y)) >> 8;
-    return int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16) + depth * depth +
-           x * x + y * y;
+    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
+        return squaredDistance(a, b);
+    const int step = std::min(depthBetween(surface_a, a[3], surface_b, b[3]),
+                              depthBetween(surface_b, b[3], surface_a, a[3]));
+    const int depth = (distance.depth_share * step) >> 8;
+    const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
+    const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
+    const int color = int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16);
+    return color + depth * depth + x * x + y * y;
 }
 
 //! The cost of a union without the contrast: a product of powers, as the sum of logarithms. Exponents are factors then,
@@ -104,7 +103,7 @@ static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
                              Regions& regions)
-    : distance_((P_MM = int(P("MM", 0)), distance)), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
+    : distance_(distance), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
 }
@@ -211,15 +210,15 @@ void SimilarMerger::evaluate(int k, std::vector<int>& table)
 template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
-    const bool with_depth = distance_.with_depth, with_normals = regions_.with_normals && P("MERGE", 1);
+    const bool with_depth = distance_.with_depth, with_normals = distance_.with_normals;
+    const SurfaceMean* surfaces = regions_.surfaces.means.data();
     const MergeRules rules = rules_;
     const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
     for (size_t i = 0; i < list.count; i++)
     {
         MergeEdge& edge = list.edges[i];
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_normals ? squaredDistance(distance_, a.mean, b.mean, regions_.surfaces[edge.a],
-                                                            regions_.surfaces[edge.b])
+        const int distance = with_normals ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a], surfaces[edge.b])
                            : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         const int log_length = logarithm(float(edge.length));

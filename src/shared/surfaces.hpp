@@ -1,0 +1,86 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_SURFACES_HPP
+#define OPENCV_GWATERSHED_SURFACES_HPP
+
+#include "shared/features.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The surface of a region: its mean normal, and the plane with this normal through the centre of its pixels. On a
+//! plane nearness is an affine function of the place, so a plane is a depth at the centre and two slopes.
+struct SurfaceMean
+{
+    short x, y;             //!< of the normal, in steps; both 0 if no pixel has one
+    short slope_x, slope_y; //!< of depth, in SLOPE_UNIT of a step for an element
+    int center_x, center_y; //!< of the pixels with depth, in 1/CENTER_UNIT of an element
+
+    enum { SLOPE_UNIT = 64, CENTER_UNIT = 16 };
+
+    bool known() const { return x != 0; }
+};
+
+//! The depth, in steps, of a plane at a place in 1/CENTER_UNIT of an element, if it is `depth` at its centre.
+//! Nearness ends at 1 and 255, and so does the plane.
+inline short depthAt(int depth, const SurfaceMean& plane, int x, int y)
+{
+    const int FARTHEST = SurfaceMean::CENTER_UNIT * 1023; // so that products fit
+    const int dx = std::min(std::max(x - plane.center_x, -FARTHEST), FARTHEST);
+    const int dy = std::min(std::max(y - plane.center_y, -FARTHEST), FARTHEST);
+    const int there = depth + ((plane.slope_x * dx + plane.slope_y * dy) >> 10);
+    return short(depth < 0 ? depth : std::min(std::max(there, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL));
+}
+
+//! What of the surface is summed up over the pixels of a region.
+struct SurfaceSum
+{
+    int64 normal_x, normal_y;
+    int64 x, y;      //!< of the pixels with depth
+    int normal_area; //!< pixels with a normal
+
+    //! Adds a pixel, or removes it if times is -1.
+    void add(const Feature& f, const Normal& n, Point p, int times = 1)
+    {
+        normal_x += times * n.x;
+        normal_y += times * n.y;
+        normal_area += n.known() ? times : 0;
+        x += f.depth ? int64(times) * p.x : 0;
+        y += f.depth ? int64(times) * p.y : 0;
+    }
+
+    void add(const SurfaceSum& s)
+    {
+        normal_x += s.normal_x;
+        normal_y += s.normal_y;
+        normal_area += s.normal_area;
+        x += s.x;
+        y += s.y;
+    }
+
+    //! From blocks to the 2x2 elements in each.
+    void divideBlocks(int depth_area);
+
+    //! depth is the mean of the pixels that have it, in steps.
+    SurfaceMean mean(int depth, int depth_area, const Camera& camera) const;
+};
+
+//! The surfaces of regions, if there are normals.
+struct RegionSurfaces
+{
+    bool present = false;
+    Camera camera; //!< of the elements
+    std::vector<SurfaceMean> means;
+    std::vector<SurfaceSum> sums;
+
+    void resize(int n)
+    {
+        means.resize(present ? n : 0);
+        sums.resize(means.size());
+    }
+};
+
+}}} // namespace
+
+#endif
