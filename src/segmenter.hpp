@@ -49,11 +49,12 @@ private:
     };
 
     Frame makeFrame(const Mat& image, const Mat& depth, const Mat& markers, const Segmentation& result);
+    void addSurface(const Mat& depth, const Segmentation& result, Frame& frame);
     void run(Frame frame, const Last& last, int num_iterations, Segmentation& result);
 
     GWatershed gwatershed_;
     RGWatershed rgwatershed_;
-    SurfaceBuffers surface_buffers_;
+    SurfaceBuffers surface_;
     Mat converted_, scaled_, numbered_;
     Last last_;
 };

@@ -14,8 +14,7 @@ const int REACH = 4;        //!< blocks over which differences are taken; less i
 const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range; four times as much is the most
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
-static double P(const char* n, double v) { const char* s = getenv(n); return s ? atof(s) : v; }
-#define LEVELS P("LEVELS", 4000) //!< of nearness, at most, down to infinity: finer differences are noise
+const double LEVELS = 4000; //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth.
 struct NearnessScale

@@ -59,7 +59,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
-    sweep.length_price = boundaryPrice(frame.normals.empty() ? PRICE : P("PR", PRICE), side, ruler);
+    sweep.length_price = boundaryPrice(PRICE, side, ruler);
 }
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const

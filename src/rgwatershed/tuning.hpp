@@ -40,10 +40,9 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
 
-// With surfaces: how much more depth and normals count against colour than depth alone, and levels of depth for those
-// of a normal, of which there are 127 for 1.
-static double P(const char* n, double v) { const char* s = getenv(n); return s ? atof(s) : v; }
-static const float SURFACE_TRUST = float(P("TRUST", 3)), NORMAL_SCALE = float(P("NSC", 1.3));
+// How much more depth and normals count beside colour than depth alone does, and the levels of depth that one of the
+// 127 levels of a normal is worth. Found on one half of the frames of mOSD.
+static const float SURFACE_TRUST = 2, NORMAL_SCALE = 1.3f;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
@@ -83,9 +82,9 @@ inline RegionDistance makeDistance(int lightness, int chroma, const Parameters& 
 {
     if (!with_normals)
         return RegionDistance(lightness, chroma, parameters.alpha, with_depth);
-    const float color = parameters.alpha, surface = float(P("TRUST", SURFACE_TRUST)) * (1 - parameters.alpha);
+    const float color = parameters.alpha, surface = SURFACE_TRUST * (1 - parameters.alpha);
     RegionDistance distance(lightness, chroma, color / (color + surface), with_depth);
-    distance.addNormals(float(P("NW", parameters.normal_weight)), float(P("NSC", NORMAL_SCALE)));
+    distance.addNormals(parameters.normal_weight, NORMAL_SCALE);
     return distance;
 }
 
