@@ -5,16 +5,17 @@
 #include "surface.hpp"
 #include "shared/features.hpp"
 #include "shared/valid_depth.hpp"
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-const int REACH = 4;        //!< blocks over which differences are taken; less is noise, more misses small things
-const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range; four times as much is the most
+const int REACH = 4;         //!< blocks over which differences are taken; less is noise, more misses small things
+const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range, a number that floats hold
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
-const double LEVELS = 4000; //!< of nearness, at most, down to infinity: finer differences are noise
+const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth.
 struct NearnessScale
@@ -22,23 +23,27 @@ struct NearnessScale
     float offset, slope;
 };
 
-//! The depths of a row as floats, 0 where they are missing.
-template <typename T> void readRow(const Mat& depth, int y, float* to)
+//! The depth of a pixel, 0 where it is missing. Infinity is a depth here.
+inline float depthOf(uchar depth) { return depth; }
+inline float depthOf(ushort depth) { return float(depth == USHRT_MAX ? 0 : int(depth)); }
+inline float depthOf(short depth) { return float(std::max(int(depth), 0)); }
+template <typename T> inline float depthOf(T depth) { return float(depth > 0 ? depth : 0); }
+
+template <typename T> void readRow(const T* from, int cols, float* to)
 {
-    const T* from = depth.ptr<T>(y);
-    for (int x = 0; x < depth.cols; x++)
-        to[x] = isValidDepth(from[x]) || isFarDepth(from[x]) ? float(from[x]) : 0.f;
+    for (int x = 0; x < cols; x++)
+        to[x] = depthOf(from[x]);
 }
 
 void readRow(const Mat& depth, int y, float* to)
 {
     switch (depth.depth())
     {
-    case CV_8U: return readRow<uchar>(depth, y, to);
-    case CV_16U: return readRow<ushort>(depth, y, to);
-    case CV_16S: return readRow<short>(depth, y, to);
-    case CV_32F: return readRow<float>(depth, y, to);
-    default: readRow<double>(depth, y, to);
+    case CV_8U: return readRow(depth.ptr<uchar>(y), depth.cols, to);
+    case CV_16U: return readRow(depth.ptr<ushort>(y), depth.cols, to);
+    case CV_16S: return readRow(depth.ptr<short>(y), depth.cols, to);
+    case CV_32F: return readRow(depth.ptr<float>(y), depth.cols, to);
+    default: readRow(depth.ptr<double>(y), depth.cols, to);
     }
 }
 
@@ -87,110 +92,127 @@ void scaleRow(const float* depth, int cols, const NearnessScale& scale, uchar* n
     }
 }
 
-//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has.
-void invertRows(const float* upper, const float* lower, int cols, float near, short* inverses)
+//! 1 for a depth, 0 where it is missing.
+inline float isDepth(float depth)
 {
-    const float scale = NEAR_INVERSE * near;
-    for (int x = 0; x < cols / 2; x++)
+    return std::min(depth * FLT_MAX, 1.f);
+}
+
+//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has. 
+void invertRows(const float* upper, const float* lower, int blocks, float near_depth, int* inverses)
+{
+    const float scale = NEAR_INVERSE * near_depth;
+    for (int x = 0; x < blocks; x++)
     {
         const float a = upper[2 * x], b = upper[2 * x + 1], c = lower[2 * x], d = lower[2 * x + 1];
         const float sum = (a + b) + (c + d);
-        const int count = (a > 0) + (b > 0) + (c > 0) + (d > 0);
-        const float inverse = std::min(scale * float(count) / std::max(sum, FLT_MIN), float(MOST_INVERSE));
-        inverses[x] = short(int(inverse));
+        const float count = (isDepth(a) + isDepth(b)) + (isDepth(c) + isDepth(d));
+        const float inverse = scale * count / std::max(sum, FLT_MIN);
+        inverses[x] = int(std::min(inverse, float(MOST_INVERSE)));
     }
 }
 
-//! Difference over REACH elements, to the side on which inverse depth is nearer to a straight line; NO_SLOPE if there is
-//! none.
-const int NO_SLOPE = INT_MIN;
-inline int slopeAt(const short* w, int step)
+//! The difference over REACH elements to the side on which inverse depth is nearer to a straight line. bend becomes how
+//! far it is from one, NO_PLANE if neither side has depth.
+const int NO_PLANE = 1 << 20;
+inline int slopeAt(const int* w, int step, int& bend)
 {
-    const int FAR_OFF = 1 << 20;
-    const int a = w[-REACH * step], a2 = w[-REACH / 2 * step], q = w[0];
-    const int b = w[REACH * step], b2 = w[REACH / 2 * step];
-    const int bend_a = (a != 0) & (a2 != 0) ? std::abs(q + a - 2 * a2) : FAR_OFF;
-    const int bend_b = (b != 0) & (b2 != 0) ? std::abs(q + b - 2 * b2) : FAR_OFF;
-    const int slope = bend_a < bend_b ? q - a : b - q;
-    return (q != 0) & (std::min(bend_a, bend_b) < FAR_OFF) ? slope : NO_SLOPE;
+    const int a = w[-REACH * step], half_a = w[-REACH / 2 * step], here = w[0];
+    const int b = w[REACH * step], half_b = w[REACH / 2 * step];
+    const int bend_a = std::min(a, half_a) > 0 ? std::abs(here + a - 2 * half_a) : NO_PLANE;
+    const int bend_b = std::min(b, half_b) > 0 ? std::abs(here + b - 2 * half_b) : NO_PLANE;
+    bend = std::max(bend, std::min(bend_a, bend_b));
+    return bend_a < bend_b ? here - a : b - here;
 }
 
-//! Directions of the rays in 1/4096, along one axis.
-std::vector<int> raysOf(int blocks, float focal, float center)
+//! Directions of the rays of blocks along one axis, for a step forward of 1.
+std::vector<float> raysOf(int blocks, float focal, float center)
 {
-    const double WIDEST = 8192;
-    std::vector<int> rays(blocks);
+    std::vector<float> rays(blocks);
     for (int i = 0; i < blocks; i++)
-    {
-        const double away = 2. * i + 0.5 - center;
-        rays[i] = cvRound(std::min(std::max(4096 * away / focal, -WIDEST), WIDEST));
-    }
+        rays[i] = (2 * float(i) + 0.5f - center) / focal;
     return rays;
 }
 
-//! The normal of a plane whose inverse depth w has the slopes u, v is (focal u, focal v, w - x u - y v).
-struct NormalFinder
+//! A normal with its number, in parts of a word that 9 of them can be added up in.
+enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
+
+//! Finds the normals of a row of blocks.
+//! @note No product is added to anything, because some processors round that once, others twice. Squares are taken
+//! as integers.
+class NormalFinder
 {
+public:
     NormalFinder(const Camera& camera, Size blocks)
-        : focal_x(cvRound(std::min(2 * camera.focal.x, 32767.f))), focal_y(cvRound(std::min(2 * camera.focal.y, 32767.f))),
-          rays_x(raysOf(blocks.width, camera.focal.x, camera.center.x)),
-          rays_y(raysOf(blocks.height, camera.focal.y, camera.center.y))
+        : per_slope_x_(camera.focal.x / (2 * REACH)), per_slope_y_(camera.focal.y / (2 * REACH)),
+          rays_x_(raysOf(blocks.width, camera.focal.x, camera.center.x)),
+          rays_y_(raysOf(blocks.height, camera.focal.y, camera.center.y))
     {
     }
 
-    static int limit(int value)
+    //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
+    //! (focal u, focal v, w - x focal u - y focal v).
+    void findRow(const int* w, int step, int y, int* normals) const
     {
-        const int STEEPEST = 1 << 16;
-        return std::min(std::max(value, -STEEPEST), STEEPEST);
-    }
-
-    void findRow(const short* w, int step, int y, Normal* normals) const
-    {
-        for (size_t x = 0; x < rays_x.size(); x++)
+        enum { STRIDE = 64 };
+        const int cols = int(rays_x_.size());
+        float a[STRIDE], b[STRIDE], squares[STRIDE], lengths[STRIDE];
+        int known[STRIDE];
+        std::fill_n(squares, int(STRIDE), 1.f);
+        for (int first = 0; first < cols; first += STRIDE)
         {
-            const int u = slopeAt(w + x, 1), v = slopeAt(w + x, step);
-            const bool known = (u != NO_SLOPE) & (v != NO_SLOPE);
-            const int a = limit((known ? u : 0) * focal_x >> 4), b = limit((known ? v : 0) * focal_y >> 4);
-            const int c = w[x] - ((rays_x[x] * a + rays_y[y] * b) >> 12);
-            // Squares and their sum are integers that a double holds, so nothing is rounded before the root.
-            const double square = double(a) * a + double(b) * b + double(c) * c;
-            const float length = std::max(std::sqrt(float(square)), 1.f);
-            const Normal normal = { uchar(128.5f + float(127 * a) / length), uchar(128.5f + float(127 * b) / length) };
-            normals[x].x = uchar(known ? normal.x : 0);
-            normals[x].y = uchar(known ? normal.y : 0);
+            const int n = std::min<int>(cols - first, STRIDE);
+            findStride(w + first, step, &rays_x_[first], rays_y_[y], n, a, b, squares, known);
+            for (int i = 0; i < STRIDE; i += 4)
+                v_store(lengths + i, v_sqrt(v_load(squares + i)));
+            for (int i = 0; i < n; i++)
+            {
+                const int nx = int(Normal::ZERO + 0.5f + a[i] / lengths[i]);
+                const int ny = int(Normal::ZERO + 0.5f + b[i] / lengths[i]);
+                normals[first + i] = (nx | ny << Y_SHIFT | 1 << COUNT_SHIFT) & known[i];
+            }
         }
     }
 
-    int focal_x, focal_y; // in half pixels
-    std::vector<int> rays_x, rays_y;
+private:
+    //! Two components, the squared length in units that make it Normal::ONE, and whether there is a normal: all bits.
+    void findStride(const int* w, int step, const float* rays_x, float ray_y, int n, float* a, float* b,
+                    float* squares, int* known) const
+    {
+        const float STEEPEST = 8 * MOST_INVERSE, SHARE = 1 / 64.f, UNIT = 1.f / Normal::ONE;
+        for (int i = 0; i < n; i++)
+        {
+            int bend = w[i] > 0 ? 0 : NO_PLANE;
+            const float u = float(slopeAt(w + i, 1, bend)) * per_slope_x_;
+            const float v = float(slopeAt(w + i, step, bend)) * per_slope_y_;
+            a[i] = std::min(std::max(u, -STEEPEST), STEEPEST);
+            b[i] = std::min(std::max(v, -STEEPEST), STEEPEST);
+            const float c = float(w[i] - int(a[i] * rays_x[i]) - int(b[i] * ray_y));
+            const int square = int(a[i] * a[i] * SHARE) + int(b[i] * b[i] * SHARE) + int(c * c * SHARE);
+            squares[i] = float(square + 2) * (UNIT * UNIT / SHARE);
+            known[i] = -int(bend < NO_PLANE);
+        }
+    }
+
+    const float per_slope_x_, per_slope_y_;
+    const std::vector<float> rays_x_, rays_y_;
 };
 
-//! Means of 3x3 blocks, where the one in the middle is known.
-void smoothRow(const Normal* above, const Normal* row, const Normal* below, int cols, Normal* to)
+//! Means over 3x3 blocks, where the one in the middle is known.
+void smoothRow(const int* above, const int* row, const int* below, int cols, std::vector<int>& sums, Normal* to)
 {
+    sums.assign(cols + 2, 0); // of columns, between empty ones
+    for (int x = 0; x < cols; x++)
+        sums[x + 1] = above[x] + row[x] + below[x];
     for (int x = 0; x < cols; x++)
     {
-        const int left = x > 0 ? x - 1 : x, right = x + 1 < cols ? x + 1 : x;
-        int sx = 0, sy = 0, count = 0;
-        for (int i = left; i <= right; i++)
-        {
-            sx += above[i].x + row[i].x + below[i].x;
-            sy += above[i].y + row[i].y + below[i].y;
-            count += above[i].known() + row[i].known() + below[i].known();
-        }
-        const int divisor = std::max(count, 1);
-        to[x].x = uchar(row[x].known() ? (sx + divisor / 2) / divisor : 0);
-        to[x].y = uchar(row[x].known() ? (sy + divisor / 2) / divisor : 0);
+        const int sum = sums[x] + sums[x + 1] + sums[x + 2];
+        const float count = float(std::max(sum >> COUNT_SHIFT, 1));
+        const int nx = int(0.5f + float(sum & PART) / count), ny = int(0.5f + float(sum >> Y_SHIFT & PART) / count);
+        const int known = -int(row[x] != 0); // all bits
+        to[x].x = uchar(nx & known);
+        to[x].y = uchar(ny & known);
     }
-}
-
-template <typename Body> void forRows(int rows, const Body& body)
-{
-    parallel_for_(Range(0, rows), [&](const Range& range)
-    {
-        for (int y = range.start; y < range.end; y++)
-            body(y);
-    });
 }
 
 } // namespace
@@ -212,11 +234,11 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     camera.horizon = float(NEAREST - slope * inverse_near);
 
     buffers.nearness.create(depth.size(), CV_8UC1);
-    buffers.inverses.create(blocks.height + 2 * REACH, blocks.width + 2 * REACH, CV_16SC1);
+    buffers.inverses.create(blocks.height + 2 * REACH, blocks.width + 2 * REACH, CV_32SC1);
     buffers.inverses.setTo(Scalar(0));
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
-        std::vector<float> upper(depth.cols + 1), lower(depth.cols + 1);
+        std::vector<float> upper(2 * blocks.width), lower(2 * blocks.width);
         for (int y = rows.start; y < rows.end; y++)
         {
             readRow(depth, 2 * y, upper.data());
@@ -227,9 +249,8 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
                 readRow(depth, 2 * y + 1, lower.data());
                 scaleRow(lower.data(), depth.cols, scale, buffers.nearness.ptr(2 * y + 1));
             }
-            upper[depth.cols] = lower[depth.cols] = 0;
-            invertRows(upper.data(), lower.data(), depth.cols + 1, range.first,
-                       buffers.inverses.ptr<short>(y + REACH) + REACH);
+            invertRows(upper.data(), lower.data(), blocks.width, range.first,
+                       buffers.inverses.ptr<int>(y + REACH) + REACH);
         }
     });
     double low = 0, high = 0;
@@ -238,19 +259,23 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
         return;
     nearness = buffers.nearness;
 
-    buffers.raw_normals.create(blocks, CV_8UC2);
+    buffers.raw_normals.create(blocks.height + 2, blocks.width, CV_32SC1);
+    buffers.raw_normals.row(0).setTo(Scalar(0));
+    buffers.raw_normals.row(blocks.height + 1).setTo(Scalar(0));
     buffers.normals.create(blocks, CV_8UC2);
     const NormalFinder finder(camera, blocks);
     const int step = int(buffers.inverses.step1());
-    forRows(blocks.height, [&](int y)
+    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
-        finder.findRow(buffers.inverses.ptr<short>(y + REACH) + REACH, step, y, buffers.raw_normals.ptr<Normal>(y));
+        for (int y = rows.start; y < rows.end; y++)
+            finder.findRow(buffers.inverses.ptr<int>(y + REACH) + REACH, step, y, buffers.raw_normals.ptr<int>(y + 1));
     });
-    forRows(blocks.height, [&](int y)
+    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
-        smoothRow(buffers.raw_normals.ptr<Normal>(std::max(y - 1, 0)), buffers.raw_normals.ptr<Normal>(y),
-                  buffers.raw_normals.ptr<Normal>(std::min(y + 1, blocks.height - 1)), blocks.width,
-                  buffers.normals.ptr<Normal>(y));
+        std::vector<int> sums;
+        for (int y = rows.start; y < rows.end; y++)
+            smoothRow(buffers.raw_normals.ptr<int>(y), buffers.raw_normals.ptr<int>(y + 1),
+                      buffers.raw_normals.ptr<int>(y + 2), blocks.width, sums, buffers.normals.ptr<Normal>(y));
     });
     normals = buffers.normals;
 }

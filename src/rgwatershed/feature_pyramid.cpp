@@ -66,6 +66,15 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
+//! All bits for each of 8 features with depth, as 16 bits.
+static v_uint16x8 maskOfDepth(const Feature* features)
+{
+    const v_uint32x4 ones = v_setall_u32(1);
+    const unsigned* words = reinterpret_cast<const unsigned*>(features);
+    const v_uint16x8 has_depth = v_pack(v_min(v_shr<24>(v_load(words)), ones), v_min(v_shr<24>(v_load(words + 4)), ones));
+    return v_sub_wrap(v_setzero_u16(), has_depth);
+}
+
 //! Pixels have the normal of their block if they have depth.
 static void spreadNormals(const Mat& blocks, const Range& rows, FeatureMap& pixels)
 {
@@ -74,12 +83,17 @@ static void spreadNormals(const Mat& blocks, const Range& rows, FeatureMap& pixe
         const Normal* from = blocks.ptr<Normal>(y / 2);
         const Feature* features = pixels.row(y);
         Normal* to = pixels.normals.row(y);
-        for (int x = 0; x < pixels.size().width; x++)
+        int x = 0;
+        for (; x <= pixels.size().width - 16; x += 16)
         {
-            const int has_depth = -int(features[x].depth != 0); // all bits
-            to[x].x = uchar(from[x / 2].x & has_depth);
-            to[x].y = uchar(from[x / 2].y & has_depth);
+            v_uint16x8 left, right;
+            const v_uint16x8 normals = v_load(reinterpret_cast<const ushort*>(from + x / 2));
+            v_zip(normals, normals, left, right);
+            v_store(reinterpret_cast<ushort*>(to + x), v_min(left, maskOfDepth(features + x)));
+            v_store(reinterpret_cast<ushort*>(to + x + 8), v_min(right, maskOfDepth(features + x + 8)));
         }
+        for (; x < pixels.size().width; x++)
+            to[x] = features[x].depth ? from[x / 2] : Normal();
     }
 }
 

@@ -25,14 +25,11 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-RegionMean RegionChoice::surfaceAt(int region, int pixel, int y, int& of_normals) const
+inline RegionMean RegionChoice::surfaceAt(int region, int pixel, int y, int& of_normals) const
 {
-    const int UNIT = SurfaceMean::CENTER_UNIT, x = pixel - (y + 1) * step_ - 1;
-    const SurfaceMean& surface = surfaces_[region];
-    RegionMean mean = means_[region];
-    mean.depth = depthAt(mean.depth, surface, UNIT * x, UNIT * y);
-    of_normals = distance_.ofNormals(normals_[pixel], surface);
-    return mean;
+    const Point p(pixel - (y + 1) * step_ - 1, y);
+    of_normals = distance_.ofNormals(normals_[pixel], surfaces_[region]);
+    return meanOnPlane(means_[region], surfaces_[region], p);
 }
 
 int RegionChoice::squaredDistance(int pixel, int y, int region) const

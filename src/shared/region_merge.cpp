@@ -51,9 +51,10 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 }
 
 //! How far the centre of one region is from the plane of another one, in depth.
-static int depthBetween(const SurfaceMean& plane, int depth, const SurfaceMean& other, int other_depth)
+static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
 {
-    return std::abs(depthAt(depth, plane, other.center_x, other.center_y) - other_depth);
+    const int UNIT = SurfaceMean::CENTER_UNIT;
+    return std::abs(plane.depthAt(other.center.x / UNIT, other.center.y / UNIT) - other_depth);
 }
 
 //! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
@@ -63,8 +64,8 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 {
     if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
         return squaredDistance(a, b);
-    const int step = std::min(depthBetween(surface_a, a[3], surface_b, b[3]),
-                              depthBetween(surface_b, b[3], surface_a, a[3]));
+    const int step = std::min(depthBetween(surface_a, surface_b, b[3]),
+                              depthBetween(surface_b, surface_a, a[3]));
     const int depth = (distance.depth_share * step) >> 8;
     const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
     const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;

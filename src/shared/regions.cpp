@@ -15,8 +15,8 @@ void Regions::divideBlocks()
         SurfaceMean& mean = surfaces.means[i];
         mean.slope_x /= 2;
         mean.slope_y /= 2;
-        mean.center_x = 2 * mean.center_x + SurfaceMean::CENTER_UNIT / 2;
-        mean.center_y = 2 * mean.center_y + SurfaceMean::CENTER_UNIT / 2;
+        mean.center = 2 * mean.center + Point(1, 1) * (SurfaceMean::CENTER_UNIT / 2);
+        mean.setDepth(means[i].depth);
     }
     for (int i = 0; i < size(); i++)
     {

@@ -35,6 +35,14 @@ inline RegionMean meanOf(const Feature& f)
     return mean;
 }
 
+//! The same with the depth of the plane of the region at a place, if it has depth.
+inline RegionMean meanOnPlane(const RegionMean& mean, const SurfaceMean& surface, Point p)
+{
+    RegionMean there = mean;
+    there.depth = short(mean.depth == RegionMean::NO_DEPTH ? int(mean.depth) : surface.depthAt(p.x, p.y));
+    return there;
+}
+
 //! Sums over the pixels of a region.
 struct RegionSum
 {
@@ -103,11 +111,7 @@ struct Regions
     //! The mean of a region, with the depth of its plane at a place.
     RegionMean meanAt(int i, Point p) const
     {
-        const int UNIT = SurfaceMean::CENTER_UNIT;
-        RegionMean mean = means[i];
-        if (surfaces.present)
-            mean.depth = depthAt(mean.depth, surfaces.means[i], UNIT * p.x, UNIT * p.y);
-        return mean;
+        return surfaces.present ? meanOnPlane(means[i], surfaces.means[i], p) : means[i];
     }
     //! From sums over blocks to sums over the 2x2 elements in each block. A block is their mean, so sums become four
     //! times as large.

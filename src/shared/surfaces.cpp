@@ -44,8 +44,9 @@ SurfaceMean SurfaceSum::mean(int depth, int depth_area, const Camera& camera) co
     SurfaceMean mean = SurfaceMean();
     if (depth_area == 0)
         return mean;
-    mean.center_x = int(divide(SurfaceMean::CENTER_UNIT * x, depth_area));
-    mean.center_y = int(divide(SurfaceMean::CENTER_UNIT * y, depth_area));
+    mean.center.x = int(divide(SurfaceMean::CENTER_UNIT * x, depth_area));
+    mean.center.y = int(divide(SurfaceMean::CENTER_UNIT * y, depth_area));
+    mean.setDepth(depth);
     if (normal_area == 0)
         return mean;
     mean.x = short(divide(STEPS_PER_LEVEL * normal_x, normal_area));
@@ -54,13 +55,14 @@ SurfaceMean SurfaceSum::mean(int depth, int depth_area, const Camera& camera) co
     const int ZERO = STEPS_PER_LEVEL * Normal::ZERO, ONE = STEPS_PER_LEVEL * Normal::ONE;
     const int nx = mean.x - ZERO, ny = mean.y - ZERO;
     const int nz = int(std::sqrt(float(std::max(ONE * ONE - nx * nx - ny * ny, 0))));
-    const int facing = nx * rayOf(mean.center_x, camera.center.x, camera.focal.x) +
-                       ny * rayOf(mean.center_y, camera.center.y, camera.focal.y) + nz * RAY;
+    const int facing = nx * rayOf(mean.center.x, camera.center.x, camera.focal.x) +
+                       ny * rayOf(mean.center.y, camera.center.y, camera.focal.y) + nz * RAY;
     const int LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
     const int above_horizon = depth - cvRound(STEPS_PER_LEVEL * camera.horizon);
-    const float scale = float(above_horizon) / float(std::max(facing, LEAST_FACING)) * (SurfaceMean::SLOPE_UNIT * RAY);
+    const float scale = float(above_horizon) / float(std::max(facing, LEAST_FACING)) * (SurfaceMean::PLANE_UNIT * RAY);
     mean.slope_x = slopeOf(nx, scale, camera.focal.x);
     mean.slope_y = slopeOf(ny, scale, camera.focal.y);
+    mean.setDepth(depth);
     return mean;
 }
 

@@ -10,28 +10,32 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The surface of a region: its mean normal, and the plane with this normal through the centre of its pixels. On a
-//! plane nearness is an affine function of the place, so a plane is a depth at the centre and two slopes.
+//! plane nearness is an affine function of the place.
 struct SurfaceMean
 {
     short x, y;             //!< of the normal, in steps; both 0 if no pixel has one
-    short slope_x, slope_y; //!< of depth, in SLOPE_UNIT of a step for an element
-    int center_x, center_y; //!< of the pixels with depth, in 1/CENTER_UNIT of an element
+    short slope_x, slope_y; //!< of depth, in 1/PLANE_UNIT of a step for an element
+    int base;               //!< depth of the plane at (0, 0), in the same unit
+    Point center;           //!< of the pixels with depth, in 1/CENTER_UNIT of an element
 
-    enum { SLOPE_UNIT = 64, CENTER_UNIT = 16 };
+    enum { PLANE_UNIT = 64, CENTER_UNIT = 16 };
 
     bool known() const { return x != 0; }
-};
 
-//! The depth, in steps, of a plane at a place in 1/CENTER_UNIT of an element, if it is `depth` at its centre.
-//! Nearness ends at 1 and 255, and so does the plane.
-inline short depthAt(int depth, const SurfaceMean& plane, int x, int y)
-{
-    const int FARTHEST = SurfaceMean::CENTER_UNIT * 1023; // so that products fit
-    const int dx = std::min(std::max(x - plane.center_x, -FARTHEST), FARTHEST);
-    const int dy = std::min(std::max(y - plane.center_y, -FARTHEST), FARTHEST);
-    const int there = depth + ((plane.slope_x * dx + plane.slope_y * dy) >> 10);
-    return short(depth < 0 ? depth : std::min(std::max(there, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL));
-}
+    //! Puts the plane through a depth, in steps, at the centre.
+    void setDepth(int depth)
+    {
+        const int64 rise = int64(slope_x) * center.x + int64(slope_y) * center.y;
+        base = PLANE_UNIT * depth - int(rise / CENTER_UNIT);
+    }
+
+    //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
+    int depthAt(int at_x, int at_y) const
+    {
+        const int depth = (base + slope_x * at_x + slope_y * at_y) / PLANE_UNIT;
+        return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
+    }
+};
 
 //! What of the surface is summed up over the pixels of a region.
 struct SurfaceSum
