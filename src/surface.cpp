@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 namespace {
 
 const int REACH = 4;         //!< blocks over which differences are taken; less is noise, more misses small things
-const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range, a number that floats hold
+const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
 const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
@@ -48,37 +48,42 @@ void readRow(const Mat& depth, int y, float* to)
 }
 
 //! The range of finite depths without a hundredth at each end; {0, 0} if there are not two different ones.
-FloatRange findRange(const Mat& depth)
+template <typename T> FloatRange findRange(const Mat& depth)
 {
     const int64 MANY = 32768, total = int64(depth.rows) * depth.cols;
-    std::vector<float> row(depth.cols), values;
-    std::vector<int> columns;
-    int at = -1;
-    visitSample(depth.size(), (total + MANY - 1) / MANY, [&](int y, int x)
+    std::vector<float> values;
+    FloatRange range = { FLT_MAX, 0 };
+    for (int64 step = (total + MANY - 1) / MANY; range.first >= range.last; step = 1)
     {
-        if (y != at)
-            readRow(depth, at = y, row.data());
-        if (isValidDepth(row[x]))
-            values.push_back(row[x]);
-    });
-    FloatRange range = { 0, 0 };
-    if (!values.empty())
-        range = rangeWithout(values.size() / 100, values);
-    if (range.first < range.last)
-        return range;
-    range.first = FLT_MAX;
-    range.last = 0;
-    for (int y = 0; y < depth.rows; y++)
-    {
-        readRow(depth, y, row.data());
-        for (int x = 0; x < depth.cols; x++)
-            if (row[x] > 0)
-            {
-                range.first = std::min(range.first, row[x]);
-                range.last = std::max(range.last, row[x]);
-            }
+        values.clear();
+        visitSample(depth.size(), step, [&](int y, int x)
+        {
+            const float value = depthOf(depth.at<T>(y, x));
+            if (isValidDepth(value))
+                values.push_back(value);
+        });
+        if (!values.empty())
+            range = rangeWithout(values.size() / 100, values);
+        if (step == 1)
+            break;
     }
+    if (range.first < range.last || values.empty())
+        return range.first < range.last ? range : FloatRange();
+    range.first = *std::min_element(values.begin(), values.end());
+    range.last = *std::max_element(values.begin(), values.end());
     return range.first < range.last ? range : FloatRange();
+}
+
+FloatRange findRange(const Mat& depth)
+{
+    switch (depth.depth())
+    {
+    case CV_8U: return findRange<uchar>(depth);
+    case CV_16U: return findRange<ushort>(depth);
+    case CV_16S: return findRange<short>(depth);
+    case CV_32F: return findRange<float>(depth);
+    default: return findRange<double>(depth);
+    }
 }
 
 //! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
@@ -112,25 +117,31 @@ void invertRows(const float* upper, const float* lower, int blocks, float near_d
     }
 }
 
-//! The difference over REACH elements to the side on which inverse depth is nearer to a straight line. bend becomes how
-//! far it is from one, NO_PLANE if neither side has depth.
-const int NO_PLANE = 1 << 20;
-inline int slopeAt(const int* w, int step, int& bend)
+//! Slopes of inverse depth: differences over REACH elements, to the side on which it is nearer to a straight line.
+//! `known` keeps its bits where one side has depth.
+void findSlopes(const int* w, int step, int steepest, int n, int* slopes, int* known)
 {
-    const int a = w[-REACH * step], half_a = w[-REACH / 2 * step], here = w[0];
-    const int b = w[REACH * step], half_b = w[REACH / 2 * step];
-    const int bend_a = std::min(a, half_a) > 0 ? std::abs(here + a - 2 * half_a) : NO_PLANE;
-    const int bend_b = std::min(b, half_b) > 0 ? std::abs(here + b - 2 * half_b) : NO_PLANE;
-    bend = std::max(bend, std::min(bend_a, bend_b));
-    return bend_a < bend_b ? here - a : b - here;
+    const int NO_LINE = 1 << 20;
+    for (int i = 0; i < n; i++)
+    {
+        const int a = w[i - REACH * step], half_a = w[i - REACH / 2 * step], here = w[i];
+        const int b = w[i + REACH * step], half_b = w[i + REACH / 2 * step];
+        const int bend_a = std::abs(here + a - 2 * half_a) | (-int((a == 0) | (half_a == 0)) & NO_LINE);
+        const int bend_b = std::abs(here + b - 2 * half_b) | (-int((b == 0) | (half_b == 0)) & NO_LINE);
+        const int to_b = -int(bend_b <= bend_a); // all bits
+        const int slope = ((b - here) & to_b) | ((here - a) & ~to_b);
+        slopes[i] = std::min(std::max(slope, -steepest), steepest);
+        known[i] &= -int((bend_a < NO_LINE) | (bend_b < NO_LINE));
+    }
 }
 
-//! Directions of the rays of blocks along one axis, for a step forward of 1.
+//! Directions of the rays of blocks along one axis, for a step forward of 1. Rays farther out are as those at WIDEST.
 std::vector<float> raysOf(int blocks, float focal, float center)
 {
+    const float WIDEST = 2;
     std::vector<float> rays(blocks);
     for (int i = 0; i < blocks; i++)
-        rays[i] = (2 * float(i) + 0.5f - center) / focal;
+        rays[i] = std::min(std::max((2 * float(i) + 0.5f - center) / focal, -WIDEST), WIDEST);
     return rays;
 }
 
@@ -154,44 +165,52 @@ public:
     //! (focal u, focal v, w - x focal u - y focal v).
     void findRow(const int* w, int step, int y, int* normals) const
     {
-        enum { STRIDE = 64 };
         const int cols = int(rays_x_.size());
-        float a[STRIDE], b[STRIDE], squares[STRIDE], lengths[STRIDE];
-        int known[STRIDE];
-        std::fill_n(squares, int(STRIDE), 1.f);
         for (int first = 0; first < cols; first += STRIDE)
         {
+            Stride stride;
             const int n = std::min<int>(cols - first, STRIDE);
-            findStride(w + first, step, &rays_x_[first], rays_y_[y], n, a, b, squares, known);
-            for (int i = 0; i < STRIDE; i += 4)
-                v_store(lengths + i, v_sqrt(v_load(squares + i)));
+            for (int i = 0; i < n; i++)
+                stride.known[i] = -int(w[first + i] != 0);
+            findSlopes(w + first, 1, int(MOST / per_slope_x_), n, stride.slopes_x, stride.known);
+            findSlopes(w + first, step, int(MOST / per_slope_y_), n, stride.slopes_y, stride.known);
+            findLengths(w + first, &rays_x_[first], rays_y_[y], n, stride);
             for (int i = 0; i < n; i++)
             {
-                const int nx = int(Normal::ZERO + 0.5f + a[i] / lengths[i]);
-                const int ny = int(Normal::ZERO + 0.5f + b[i] / lengths[i]);
-                normals[first + i] = (nx | ny << Y_SHIFT | 1 << COUNT_SHIFT) & known[i];
+                const int nx = int(Normal::ZERO + 0.5f + stride.x[i] / stride.lengths[i]);
+                const int ny = int(Normal::ZERO + 0.5f + stride.y[i] / stride.lengths[i]);
+                normals[first + i] = (nx | ny << Y_SHIFT | 1 << COUNT_SHIFT) & stride.known[i];
             }
         }
     }
 
 private:
-    //! Two components, the squared length in units that make it Normal::ONE, and whether there is a normal: all bits.
-    void findStride(const int* w, int step, const float* rays_x, float ray_y, int n, float* a, float* b,
-                    float* squares, int* known) const
+    enum { STRIDE = 64, MOST = 2 * MOST_INVERSE }; // of what normals are made of, so that squares fit
+
+    //! Some blocks of a row. All bits of `known` are set where there is a normal, none elsewhere.
+    struct Stride
     {
-        const float STEEPEST = 8 * MOST_INVERSE, SHARE = 1 / 64.f, UNIT = 1.f / Normal::ONE;
+        int known[STRIDE], slopes_x[STRIDE], slopes_y[STRIDE];
+        float x[STRIDE], y[STRIDE], lengths[STRIDE];
+    };
+
+    //! Two components of a vector, and its length divided by Normal::ONE.
+    void findLengths(const int* w, const float* rays_x, float ray_y, int n, Stride& to) const
+    {
+        const float SHARE = 1 / 256.f, UNIT = 1.f / Normal::ONE;
+        const float per_slope_x = per_slope_x_, per_slope_y = per_slope_y_;
+        std::fill_n(to.lengths, int(STRIDE), 1.f);
         for (int i = 0; i < n; i++)
         {
-            int bend = w[i] > 0 ? 0 : NO_PLANE;
-            const float u = float(slopeAt(w + i, 1, bend)) * per_slope_x_;
-            const float v = float(slopeAt(w + i, step, bend)) * per_slope_y_;
-            a[i] = std::min(std::max(u, -STEEPEST), STEEPEST);
-            b[i] = std::min(std::max(v, -STEEPEST), STEEPEST);
-            const float c = float(w[i] - int(a[i] * rays_x[i]) - int(b[i] * ray_y));
-            const int square = int(a[i] * a[i] * SHARE) + int(b[i] * b[i] * SHARE) + int(c * c * SHARE);
-            squares[i] = float(square + 2) * (UNIT * UNIT / SHARE);
-            known[i] = -int(bend < NO_PLANE);
+            const float x = float(to.slopes_x[i]) * per_slope_x, y = float(to.slopes_y[i]) * per_slope_y;
+            const float z = float(w[i] - int(x * rays_x[i]) - int(y * ray_y));
+            const int square = int(x * x * SHARE) + int(y * y * SHARE) + int(z * z * SHARE);
+            to.x[i] = x;
+            to.y[i] = y;
+            to.lengths[i] = float(square + 2) * (UNIT * UNIT / SHARE);
         }
+        for (int i = 0; i < STRIDE; i += 4)
+            v_store(to.lengths + i, v_sqrt(v_load(to.lengths + i)));
     }
 
     const float per_slope_x_, per_slope_y_;
