@@ -132,7 +132,7 @@ void Segmenter::buildHierarchy(Segmentation& result) const
     const Parameters& used = result.parameters;
     const FeatureMap features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
                                                              : rgwatershed_.features();
-    result.hierarchy.build(features, floodDistance(used, result.with_depth, features.with_normals),
+    result.hierarchy.build(features, floodDistance(used, result.with_depth, features.withNormals()),
                            result.labels(result.bounds), result.number);
 }
 

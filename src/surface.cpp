@@ -50,7 +50,7 @@ void readRow(const Mat& depth, int y, float* to)
 //! The range of finite depths without a hundredth at each end; {0, 0} if there are not two different ones.
 template <typename T> FloatRange findRange(const Mat& depth)
 {
-    const int64 MANY = 32768, total = int64(depth.rows) * depth.cols;
+    const int64 MANY = 8192, total = int64(depth.rows) * depth.cols;
     std::vector<float> values;
     FloatRange range = { FLT_MAX, 0 };
     for (int64 step = (total + MANY - 1) / MANY; range.first >= range.last; step = 1)

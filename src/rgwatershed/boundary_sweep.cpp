@@ -277,8 +277,11 @@ void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& featur
             return;
         const Feature& feature = features.data()[index];
         regions.sums[region].add(feature, times);
-        if (features.with_normals)
-            regions.surfaces.sums[region].add(feature, features.normals.data()[index], features.point(index), times);
+        if (regions.surfaces.present)
+        {
+            const Point p = features.point(index);
+            regions.surfaces.sums[region].add(feature, features.normalAt(p), p, times);
+        }
         if (guard)
             guard->add(features.point(index), region, times);
     };

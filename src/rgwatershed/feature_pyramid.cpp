@@ -10,8 +10,22 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Mean of the values that are not 0.
 static uchar meanOfKnown(int a, int b, int c, int d)
 {
-    const int valid = (a != 0) + (b != 0) + (c != 0) + (d != 0);
-    return valid ? uchar((a + b + c + d + valid / 2) / valid) : uchar(0);
+    const int known = (a != 0) + (b != 0) + (c != 0) + (d != 0);
+    return known ? uchar((a + b + c + d + known / 2) / known) : uchar(0);
+}
+
+//! The same of 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines over the
+//! numbers 1 to 4, and divided by 12.
+static inline v_uint16x8 meanOfKnown(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
+{
+    const v_uint16x8 one = v_setall_u16(1), sum = v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d));
+    const v_int16x8 known = v_reinterpret_as_s16(v_add_wrap(v_add_wrap(v_min(a, one), v_min(b, one)),
+                                                            v_add_wrap(v_min(c, one), v_min(d, one))));
+    const v_int16x8 twice = v_shl<1>(known);
+    const v_int16x8 factor = v_max(v_sub_wrap(v_setall_s16(18), v_add_wrap(v_shl<2>(known), twice)),
+                                   v_max(v_sub_wrap(v_setall_s16(10), twice), v_sub_wrap(v_setall_s16(7), known)));
+    const v_uint16x8 product = v_mul_wrap(sum, v_reinterpret_as_u16(factor));
+    return v_mul_hi(v_add_wrap(product, v_setall_u16(6)), v_setall_u16(5462));
 }
 
 //! Sums of up to 1024, so 16 bits hold them.
@@ -26,6 +40,12 @@ static inline v_uint16x8 quarter(const v_uint16x8& a, const v_uint16x8& b, const
     return v_shr<2>(v_add_wrap(v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d)), v_setall_u16(2)));
 }
 
+//! Depths of 4 features, as 32-bit numbers.
+static inline v_uint16x8 depthOf(const v_uint32x4& features)
+{
+    return v_reinterpret_as_u16(v_shr<24>(features));
+}
+
 //! Means of blocks of 2x2 pixels, 4 blocks at a time.
 static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
@@ -34,9 +54,12 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
     const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
     const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
-    v_store(to->color, v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high)));
-    for (int i = 0; with_depth && i < 8; i += 2)
-        to[i / 2].depth = meanOfKnown(upper[i].depth, upper[i + 1].depth, lower[i].depth, lower[i + 1].depth);
+    const v_uint8x16 means = v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high));
+    if (!with_depth)
+        return v_store(to->color, means);
+    const v_uint16x8 depth = meanOfKnown(depthOf(a), depthOf(b), depthOf(c), depthOf(d));
+    const v_uint32x4 colors = v_shr<8>(v_shl<8>(v_reinterpret_as_u32(means)));
+    v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(v_reinterpret_as_u32(depth)))));
 }
 
 static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows,
@@ -66,65 +89,25 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
-//! All bits for each of 8 features with depth, as 16 bits.
-static v_uint16x8 maskOfDepth(const Feature* features)
-{
-    const v_uint32x4 ones = v_setall_u32(1);
-    const unsigned* words = reinterpret_cast<const unsigned*>(features);
-    const v_uint16x8 has_depth = v_pack(v_min(v_shr<24>(v_load(words)), ones), v_min(v_shr<24>(v_load(words + 4)), ones));
-    return v_sub_wrap(v_setzero_u16(), has_depth);
-}
-
-//! Pixels have the normal of their block if they have depth.
-static void spreadNormals(const Mat& blocks, const Range& rows, FeatureMap& pixels)
-{
-    for (int y = rows.start; y < rows.end; y++)
-    {
-        const Normal* from = blocks.ptr<Normal>(y / 2);
-        const Feature* features = pixels.row(y);
-        Normal* to = pixels.normals.row(y);
-        int x = 0;
-        for (; x <= pixels.size().width - 16; x += 16)
-        {
-            v_uint16x8 left, right;
-            const v_uint16x8 normals = v_load(reinterpret_cast<const ushort*>(from + x / 2));
-            v_zip(normals, normals, left, right);
-            v_store(reinterpret_cast<ushort*>(to + x), v_min(left, maskOfDepth(features + x)));
-            v_store(reinterpret_cast<ushort*>(to + x + 8), v_min(right, maskOfDepth(features + x + 8)));
-        }
-        for (; x < pixels.size().width; x++)
-            to[x] = features[x].depth ? from[x / 2] : Normal();
-    }
-}
-
 //! Means of 2x2, of those that are known.
-static void halveNormals(const Padded<Normal>& normals, const Range& rows, Padded<Normal>& halved)
+static void halveNormals(const Mat& normals, Mat& halved)
 {
-    const Size size = normals.size();
-    for (int y = rows.start; y < rows.end; y++)
+    halved.create((normals.rows + 1) / 2, (normals.cols + 1) / 2, CV_8UC2);
+    parallel_for_(Range(0, halved.rows), [&](const Range& rows)
     {
-        const Normal* upper = normals.row(2 * y);
-        const Normal* lower = normals.row(std::min(2 * y + 1, size.height - 1));
-        Normal* to = halved.row(y);
-        for (int x = 0; x < halved.size().width; x++)
-        {
-            const int left = 2 * x, right = std::min(2 * x + 1, size.width - 1);
-            to[x].x = meanOfKnown(upper[left].x, upper[right].x, lower[left].x, lower[right].x);
-            to[x].y = meanOfKnown(upper[left].y, upper[right].y, lower[left].y, lower[right].y);
-        }
-    }
-}
-
-//! Normals of some rows of a level, when its features are there.
-static void makeNormals(const Mat& blocks, int level, const Range& rows, FeatureMap* levels)
-{
-    if (level == 0)
-        spreadNormals(blocks, rows, levels[0]);
-    else if (level == 1)
         for (int y = rows.start; y < rows.end; y++)
-            std::copy(blocks.ptr<Normal>(y), blocks.ptr<Normal>(y) + blocks.cols, levels[1].normals.row(y));
-    else
-        halveNormals(levels[level - 1].normals, rows, levels[level].normals);
+        {
+            const Normal* upper = normals.ptr<Normal>(2 * y);
+            const Normal* lower = normals.ptr<Normal>(std::min(2 * y + 1, normals.rows - 1));
+            Normal* to = halved.ptr<Normal>(y);
+            for (int x = 0; x < halved.cols; x++)
+            {
+                const int left = 2 * x, right = std::min(2 * x + 1, normals.cols - 1);
+                to[x].x = meanOfKnown(upper[left].x, upper[right].x, lower[left].x, lower[right].x);
+                to[x].y = meanOfKnown(upper[left].y, upper[right].y, lower[left].y, lower[right].y);
+            }
+        }
+    });
 }
 
 static void createLevels(const Frame& frame, int top, FeatureMap* levels)
@@ -134,10 +117,12 @@ static void createLevels(const Frame& frame, int top, FeatureMap* levels)
     for (int level = 0; level <= top; level++)
     {
         levels[level].create(size, Feature());
-        levels[level].with_normals = !frame.normals.empty();
         levels[level].camera = camera;
-        if (!frame.normals.empty())
-            levels[level].normals.create(size, Normal());
+        levels[level].normal_shift = level == 0;
+        if (level <= 1 || frame.normals.empty())
+            levels[level].normals = frame.normals;
+        else
+            halveNormals(levels[level - 1].normals, levels[level].normals);
         size = Size((size.width + 1) / 2, (size.height + 1) / 2);
         camera = camera.halved();
     }
@@ -163,8 +148,6 @@ void makePyramid(const Frame& frame, bool lab_input, int top, FeatureMap* levels
                                        color.cols, levels[0].row(y));
                 else
                     halveFeatures(levels[level - 1], !depth.empty(), rows, levels[level]);
-                if (!frame.normals.empty())
-                    makeNormals(frame.normals, level, rows, levels);
             }
     });
 }

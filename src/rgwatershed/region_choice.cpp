@@ -9,7 +9,7 @@ namespace cv { namespace ximgproc { namespace gws {
 RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                            const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
-      means_(regions.means.data()), normals_(features.normals.data()), surfaces_(regions.surfaces.means.data()),
+      means_(regions.means.data()), map_(features), surfaces_(regions.surfaces.means.data()),
       distance_(distance), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
@@ -25,25 +25,17 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-inline RegionMean RegionChoice::surfaceAt(int region, int pixel, int y, int& of_normals) const
-{
-    const Point p(pixel - (y + 1) * step_ - 1, y);
-    of_normals = distance_.ofNormals(normals_[pixel], surfaces_[region]);
-    return meanOnPlane(means_[region], surfaces_[region], p);
-}
-
 int RegionChoice::squaredDistance(int pixel, int y, int region) const
 {
-    if (!distance_.with_normals)
+    if (!distance_.with_surfaces)
         return distance_.squared(features_[pixel], means_[region]);
-    int of_normals;
-    const RegionMean mean = surfaceAt(region, pixel, y, of_normals);
-    return distance_.squared(features_[pixel], mean, of_normals);
+    return distance_.squared(features_[pixel], meanAt(region, pixel, y),
+                             distance_.normal_share ? ofNormals(region, pixel, y) : 0);
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
-template <bool WITH_DEPTH, bool WITH_NORMALS>
+template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
 void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
     Feature* const features = open.features;
@@ -53,7 +45,9 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
     {
         features[i] = features_[pixels[i]];
         const int own = labels_[pixels[i]];
-        means[i] = WITH_NORMALS ? surfaceAt(own, pixels[i], y, open.squares[i]) : means_[own];
+        means[i] = ON_PLANES ? meanAt(own, pixels[i], y) : means_[own];
+        if (WITH_NORMALS)
+            open.squares[i] = ofNormals(own, pixels[i], y);
     }
     for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
     {
@@ -77,7 +71,9 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
         const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
         const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
         const int other = first & ~(first >> 31);
-        means[i] = WITH_NORMALS ? surfaceAt(other, open.indices[i], y, open.squares[i]) : means_[other];
+        means[i] = ON_PLANES ? meanAt(other, open.indices[i], y) : means_[other];
+        if (WITH_NORMALS)
+            open.squares[i] = ofNormals(other, open.indices[i], y);
         several[i] = uchar((first != last) | table_.isTip(mask));
     }
     distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, count, open.squares);
@@ -107,12 +103,14 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.with_normals)
-        findOpen<true, true>(pixels, n, y, open);
+    if (distance_.with_surfaces && distance_.normal_share)
+        findOpen<true, true, true>(pixels, n, y, open);
+    else if (distance_.with_surfaces)
+        findOpen<true, true, false>(pixels, n, y, open);
     else if (distance_.with_depth)
-        findOpen<true, false>(pixels, n, y, open);
+        findOpen<true, false, false>(pixels, n, y, open);
     else
-        findOpen<false, false>(pixels, n, y, open);
+        findOpen<false, false, false>(pixels, n, y, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;

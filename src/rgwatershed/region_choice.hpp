@@ -49,11 +49,18 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    template <bool WITH_DEPTH, bool WITH_NORMALS>
+    template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
     void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
 
-    //! The mean of a region with the depth of its plane at a pixel, and what the normals of both add to their distance.
-    RegionMean surfaceAt(int region, int pixel, int y, int& of_normals) const;
+    Point placeOf(int pixel, int y) const { return Point(pixel - (y + 1) * step_ - 1, y); }
+    RegionMean meanAt(int region, int pixel, int y) const
+    {
+        return meanOnPlane(means_[region], surfaces_[region], placeOf(pixel, y));
+    }
+    int ofNormals(int region, int pixel, int y) const
+    {
+        return distance_.ofNormals(map_.normalAt(placeOf(pixel, y)), surfaces_[region]);
+    }
     int squaredDistance(int pixel, int y, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
@@ -64,7 +71,7 @@ private:
     const int* const labels_;
     const uchar* const masks_;
     const RegionMean* const means_;
-    const Normal* const normals_;
+    const FeatureMap& map_; // of the features
     const SurfaceMean* const surfaces_;
     const RegionDistance distance_;
     const int step_;

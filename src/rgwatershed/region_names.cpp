@@ -19,8 +19,8 @@ void measureErrors(const FeatureMap& features, const RegionDistance& distance, c
             const int label = labels.row(y)[x];
             if (label >= 0)
             {
-                const int of_normals = distance.with_normals
-                        ? distance.ofNormals(features.normals.row(y)[x], regions.surfaces.means[label]) : 0;
+                const int of_normals = regions.surfaces.present
+                        ? distance.ofNormals(features.normalAt(Point(x, y)), regions.surfaces.means[label]) : 0;
                 errors[label] += distance.squared(features.row(y)[x], regions.meanAt(label, Point(x, y)), of_normals);
             }
         }

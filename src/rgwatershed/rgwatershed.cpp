@@ -70,8 +70,8 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
                     flood_buffers_, labels_[plan.level], regions_);
-    if (features.with_normals)
-        measureRegions(features, labels_[plan.level].view(CV_32SC1), regions_);
+    if (features.withNormals())
+        measureSurfaces(features, labels_[plan.level].view(CV_32SC1), regions_);
 }
 
 //! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it
@@ -110,6 +110,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweep;
+        if (level == 0 && plan.level > 0)
+            rules.distance.normal_share = 0; // pixels have no normals of their own
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < plan.level)
             descend(frame, plan, level);

@@ -84,7 +84,7 @@ inline RegionDistance makeDistance(int lightness, int chroma, const Parameters& 
         return RegionDistance(lightness, chroma, parameters.alpha, with_depth);
     const float color = parameters.alpha, surface = SURFACE_TRUST * (1 - parameters.alpha);
     RegionDistance distance(lightness, chroma, color / (color + surface), with_depth);
-    distance.addNormals(parameters.normal_weight, NORMAL_SCALE);
+    distance.addSurfaces(parameters.normal_weight, NORMAL_SCALE);
     return distance;
 }
 

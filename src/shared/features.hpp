@@ -33,11 +33,18 @@ struct Normal
 };
 
 //! Features of the pixels of an image, or of the blocks of a level, and beside them their normals, if there are any.
+//! Normals change slowly, so pixels have those of blocks of 2x2.
 struct FeatureMap : Padded<Feature>
 {
-    Padded<Normal> normals;
-    Camera camera; //!< of the normals, in elements of this map
-    bool with_normals = false;
+    Mat normals;          //!< CV_8UC2, as Normal; empty if there are none
+    int normal_shift = 0; //!< an element of normals is that of 2^normal_shift elements, along both axes
+    Camera camera;        //!< of the normals, in elements of this map
+
+    bool withNormals() const { return !normals.empty(); }
+    const Normal& normalAt(Point p) const
+    {
+        return normals.ptr<Normal>(p.y >> normal_shift)[p.x >> normal_shift];
+    }
 };
 
 //! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become

@@ -33,11 +33,11 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! Normals count, too. weight is their share in what counts beside colour, scale that of a normal of 1 against 127
+    //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what counts beside colour, scale that of a normal of 1 against 127
     //! levels of depth.
-    void addNormals(float weight, float scale)
+    void addSurfaces(float weight, float scale)
     {
-        with_normals = true;
+        with_surfaces = true;
         normal_share = cvRound(depth_share * weight * scale);
         depth_share = cvRound(depth_share * (1 - weight));
         weights[1][3] = short(depth_share);
@@ -92,7 +92,7 @@ public:
         }
     }
 
-    bool with_depth, with_normals = false;
+    bool with_depth, with_surfaces = false;
     int color_share, depth_share, normal_share = 0;
     short weights[2][4]; //!< of a feature, without depth and with it
 

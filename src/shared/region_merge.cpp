@@ -211,7 +211,7 @@ void SimilarMerger::evaluate(int k, std::vector<int>& table)
 template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
-    const bool with_depth = distance_.with_depth, with_normals = distance_.with_normals;
+    const bool with_depth = distance_.with_depth, with_surfaces = distance_.with_surfaces;
     const SurfaceMean* surfaces = regions_.surfaces.means.data();
     const MergeRules rules = rules_;
     const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
@@ -219,7 +219,7 @@ template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
     {
         MergeEdge& edge = list.edges[i];
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_normals ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a], surfaces[edge.b])
+        const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a], surfaces[edge.b])
                            : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         const int log_length = logarithm(float(edge.length));

@@ -48,22 +48,26 @@ void Regions::unite(int from, int to)
     update(to);
 }
 
-static void addSurfaces(const FeatureMap& features, const Mat& labels, std::vector<SurfaceSum>& sums)
+void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions)
 {
+    CV_TRACE_FUNCTION();
+    regions.surfaces.start(features.camera, regions.size());
+    std::vector<SurfaceSum>& sums = regions.surfaces.sums;
     for (int y = 0; y < labels.rows; y++)
     {
         const int* row = labels.ptr<int>(y);
+        const Feature* feature = features.row(y);
         for (int x = 0; x < labels.cols; x++)
             if (row[x] >= 0)
-                sums[row[x]].add(features.row(y)[x], features.normals.row(y)[x], Point(x, y));
+                sums[row[x]].add(feature[x], features.normalAt(Point(x, y)), Point(x, y));
     }
+    regions.update();
 }
 
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    regions.surfaces.present = features.with_normals;
-    regions.surfaces.camera = features.camera;
+    regions.surfaces.present = false;
     regions.clear(regions.size());
     for (int y = 0; y < labels.rows; y++)
     {
@@ -79,9 +83,10 @@ void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regi
                 regions.sums[label].add(run);
         }
     }
-    if (features.with_normals)
-        addSurfaces(features, labels, regions.surfaces.sums);
-    regions.update();
+    if (features.withNormals())
+        measureSurfaces(features, labels, regions);
+    else
+        regions.update();
 }
 
 }}} // namespace

@@ -105,7 +105,6 @@ struct Regions
     void clear(int n)
     {
         resize(n);
-        std::fill(surfaces.sums.begin(), surfaces.sums.end(), SurfaceSum());
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
     //! The mean of a region, with the depth of its plane at a place.
@@ -132,6 +131,9 @@ struct Regions
             update(i);
     }
 };
+
+//! Computes the surfaces of regions whose other sums are known, and all means.
+void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions);
 
 //! Computes sums and means of all regions. Labels below 0 do not count.
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);

@@ -18,7 +18,7 @@ struct SurfaceMean
     int base;               //!< depth of the plane at (0, 0), in the same unit
     Point center;           //!< of the pixels with depth, in 1/CENTER_UNIT of an element
 
-    enum { PLANE_UNIT = 64, CENTER_UNIT = 16 };
+    enum { PLANE_UNIT = 1 << 6, CENTER_UNIT = 16 };
 
     bool known() const { return x != 0; }
 
@@ -32,7 +32,7 @@ struct SurfaceMean
     //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
     int depthAt(int at_x, int at_y) const
     {
-        const int depth = (base + slope_x * at_x + slope_y * at_y) / PLANE_UNIT;
+        const int depth = (base + slope_x * at_x + slope_y * at_y) >> 6;
         return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
     }
 };
@@ -78,6 +78,14 @@ struct RegionSurfaces
     std::vector<SurfaceMean> means;
     std::vector<SurfaceSum> sums;
 
+    //! Surfaces of n regions with no pixels.
+    void start(const Camera& camera_, int n)
+    {
+        present = true;
+        camera = camera_;
+        means.resize(n);
+        sums.assign(n, SurfaceSum());
+    }
     void resize(int n)
     {
         means.resize(present ? n : 0);
