@@ -25,7 +25,7 @@ struct NearnessScale
 
 //! The depth of a pixel, 0 where it is missing. Infinity is a depth here.
 inline float depthOf(uchar depth) { return depth; }
-inline float depthOf(ushort depth) { return float(depth == USHRT_MAX ? 0 : int(depth)); }
+inline float depthOf(ushort depth) { return float(int(depth) & -int(depth != USHRT_MAX)); }
 inline float depthOf(short depth) { return float(std::max(int(depth), 0)); }
 template <typename T> inline float depthOf(T depth) { return float(depth > 0 ? depth : 0); }
 
@@ -87,13 +87,13 @@ FloatRange findRange(const Mat& depth)
 }
 
 //! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
-void scaleRow(const float* depth, int cols, const NearnessScale& scale, uchar* nearness)
+void scaleRow(const float* depth, int cols, NearnessScale scale, uchar* nearness)
 {
     for (int x = 0; x < cols; x++)
     {
         const float value = scale.offset + scale.slope / std::max(depth[x], FLT_MIN);
-        const int level = int(std::min(std::max(value, float(FARTHEST)), float(NEAREST)));
-        nearness[x] = uchar(depth[x] > 0 ? level : 0);
+        const float most = std::min(depth[x] * FLT_MAX, float(NEAREST)); // 0 where depth is missing
+        nearness[x] = uchar(int(std::min(std::max(value, float(FARTHEST)), most)));
     }
 }
 
@@ -103,7 +103,7 @@ inline float isDepth(float depth)
     return std::min(depth * FLT_MAX, 1.f);
 }
 
-//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has. 
+//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has.
 void invertRows(const float* upper, const float* lower, int blocks, float near_depth, int* inverses)
 {
     const float scale = NEAR_INVERSE * near_depth;

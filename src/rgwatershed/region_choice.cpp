@@ -25,18 +25,18 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-int RegionChoice::squaredDistance(int pixel, int y, int region) const
+int RegionChoice::squaredDistance(int pixel, const Row& row, int region) const
 {
     if (!distance_.with_surfaces)
         return distance_.squared(features_[pixel], means_[region]);
-    return distance_.squared(features_[pixel], meanAt(region, pixel, y),
-                             distance_.normal_share ? ofNormals(region, pixel, y) : 0);
+    return distance_.squared(features_[pixel], meanAt(region, pixel, row),
+                             row.normals ? ofNormals(region, pixel, row) : 0);
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
 template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
-void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
+void RegionChoice::findOpen(const int* pixels, int n, const Row& row, OpenPixels& open) const
 {
     Feature* const features = open.features;
     RegionMean* const means = open.means;
@@ -45,9 +45,9 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
     {
         features[i] = features_[pixels[i]];
         const int own = labels_[pixels[i]];
-        means[i] = ON_PLANES ? meanAt(own, pixels[i], y) : means_[own];
+        means[i] = ON_PLANES ? meanAt(own, pixels[i], row) : means_[own];
         if (WITH_NORMALS)
-            open.squares[i] = ofNormals(own, pixels[i], y);
+            open.squares[i] = ofNormals(own, pixels[i], row);
     }
     for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
     {
@@ -71,9 +71,9 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
         const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
         const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
         const int other = first & ~(first >> 31);
-        means[i] = ON_PLANES ? meanAt(other, open.indices[i], y) : means_[other];
+        means[i] = ON_PLANES ? meanAt(other, open.indices[i], row) : means_[other];
         if (WITH_NORMALS)
-            open.squares[i] = ofNormals(other, open.indices[i], y);
+            open.squares[i] = ofNormals(other, open.indices[i], row);
         several[i] = uchar((first != last) | table_.isTip(mask));
     }
     distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, count, open.squares);
@@ -103,14 +103,17 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.with_surfaces && distance_.normal_share)
-        findOpen<true, true, true>(pixels, n, y, open);
+    const bool with_normals = distance_.with_surfaces && distance_.normal_share > 0;
+    const Row row = { y, (y + 1) * step_ + 1,
+                      with_normals ? map_.normals.ptr<Normal>(y >> map_.normal_shift) : 0 };
+    if (with_normals)
+        findOpen<true, true, true>(pixels, n, row, open);
     else if (distance_.with_surfaces)
-        findOpen<true, true, false>(pixels, n, y, open);
+        findOpen<true, true, false>(pixels, n, row, open);
     else if (distance_.with_depth)
-        findOpen<true, false, false>(pixels, n, y, open);
+        findOpen<true, false, false>(pixels, n, row, open);
     else
-        findOpen<false, false, false>(pixels, n, y, open);
+        findOpen<false, false, false>(pixels, n, row, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;
@@ -130,7 +133,7 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
         do
         {
             const int region = label[first_offsets_[choice.seen]];
-            compare(pixel, squaredDistance(pixel, y, std::max(region, 0)), choice);
+            compare(pixel, squaredDistance(pixel, row, std::max(region, 0)), choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
     }

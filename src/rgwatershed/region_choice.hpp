@@ -43,6 +43,13 @@ private:
         int squares[BATCH]; // of the distance to the region of the first 4-neighbour that is not in its own
     };
 
+    //! Where pixels of a row are, and their normals, if these count.
+    struct Row
+    {
+        int y, left; // index of the first one
+        const Normal* normals;
+    };
+
     //! The best choice of a pixel so far.
     struct Choice
     {
@@ -50,18 +57,17 @@ private:
     };
 
     template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
-    void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
+    void findOpen(const int* pixels, int n, const Row& row, OpenPixels& open) const;
 
-    Point placeOf(int pixel, int y) const { return Point(pixel - (y + 1) * step_ - 1, y); }
-    RegionMean meanAt(int region, int pixel, int y) const
+    RegionMean meanAt(int region, int pixel, const Row& row) const
     {
-        return meanOnPlane(means_[region], surfaces_[region], placeOf(pixel, y));
+        return meanOnPlane(means_[region], surfaces_[region], Point(pixel - row.left, row.y));
     }
-    int ofNormals(int region, int pixel, int y) const
+    int ofNormals(int region, int pixel, const Row& row) const
     {
-        return distance_.ofNormals(map_.normalAt(placeOf(pixel, y)), surfaces_[region]);
+        return distance_.ofNormals(row.normals[(pixel - row.left) >> map_.normal_shift], surfaces_[region]);
     }
-    int squaredDistance(int pixel, int y, int region) const;
+    int squaredDistance(int pixel, const Row& row, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;
