@@ -42,8 +42,8 @@ enum GWatershedType
 
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
-   enough, their means over blocks of 2x2 or 4x4 pixels.
-2. Markers: four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
+   enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
+2. Markers: two to four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
