@@ -57,7 +57,8 @@ class BoundarySweeper::Wave
 public:
     Wave(const RegionChoice& choice, const SweepRules& rules, Padded<int>& labels, BoundarySweeper& sweeper,
          Moves& moves)
-        : table_(maskTable()), choice_(choice), rules_(rules), labels_(labels), sweeper_(sweeper), moves_(moves)
+        : table_(maskTable()), choice_(choice), rules_(rules), all_permitted_(rules.markers.empty() && !rules.guard),
+          labels_(labels), sweeper_(sweeper), moves_(moves)
     {
     }
 
@@ -88,7 +89,7 @@ private:
             for (int i = 0; i < n; i++)
             {
                 const Point p(gains[i].pixel - left, y);
-                if (permits(p, gains[i].region))
+                if (all_permitted_ || permits(p, gains[i].region))
                     move(c, p, gains[i]);
             }
         }
@@ -143,6 +144,7 @@ private:
     const MaskTable& table_;
     const RegionChoice& choice_;
     const SweepRules& rules_;
+    const bool all_permitted_;
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
     Moves& moves_;

@@ -99,16 +99,6 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
         closeUnseen(labels_[0]);
 }
 
-//! How often a level is swept on the way down to the pixels.
-static int countSweeps(const BlockLevels& levels, int level)
-{
-    if (level == levels.top)
-        return SWEEPS_AFTER_MERGING;
-    if (level > 0)
-        return SWEEPS_OF_BLOCKS;
-    return levels.ratio(1) == 3 ? SWEEPS_FROM_THIRDS : SWEEPS_OF_PIXELS;
-}
-
 //! Step 5: level by level from the blocks that were flooded down to the pixels.
 void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iterations)
 {
@@ -116,7 +106,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     const int top = plan.levels.top;
     for (int level = top; level >= 0; level--)
     {
-        const int num_sweeps = countSweeps(plan.levels, level);
+        const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
+                             : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweep;
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < top)

@@ -22,7 +22,7 @@ enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
-static const int SWEEPS_OF_PIXELS = 1, SWEEPS_FROM_THIRDS = 2; // from blocks of 3x3 pixels, boundaries go farther
+static const int SWEEPS_OF_PIXELS = 1;
 static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first
 static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pixel any more: some would go to and fro
 
