@@ -3,7 +3,7 @@
 
   wheel_index.py FOLDER NAME...
 
-Each becomes a wheel, in FOLDER/NAME as pip looks for it, so `PIP_INDEX_URL=file://FOLDER pip install ...` needs no network.
+Each becomes a wheel in FOLDER/NAME, where pip looks for it: PIP_INDEX_URL=file://FOLDER pip install ...
 """
 import base64
 import hashlib
@@ -19,12 +19,13 @@ def normal(name):
 
 
 def top_level(distribution):
-    """Names of its modules and packages. A list of files, where there is one, may leave out what was moved away."""
+    """Names of its modules and packages."""
     listed = distribution.read_text("top_level.txt")
     if listed:
         return listed.split()
-    files = [file.parts[0] for file in distribution.files or [] if file.parts[0] != ".."]
-    return sorted({name for name in files if not name.endswith(("-info", "__pycache__"))})
+    names = {file.parts[0] for file in distribution.files or []}
+    found = sorted(name for name in names if name != ".." and not name.endswith(("-info", "__pycache__")))
+    return found or [normal(distribution.metadata["Name"]).replace("-", "_")]
 
 
 def files_of(distribution):
@@ -32,7 +33,7 @@ def files_of(distribution):
     site = Path(distribution.locate_file(""))
     for name in top_level(distribution):
         place = site / name
-        found = sorted(place.rglob("*")) if place.is_dir() else [place if place.is_file() else site / (name + ".py")]
+        found = sorted(place.rglob("*")) if place.is_dir() else [place, site / (name + ".py")]
         for file in found:
             if file.is_file() and "__pycache__" not in file.parts:
                 yield str(file.relative_to(site)), file
