@@ -26,6 +26,9 @@ import numpy as np
 import gwatershed
 
 
+SLOW = 20  # iterations, where a run is to be stopped half way
+
+
 def has(*names):
     return all(importlib.util.find_spec(name) for name in names)
 
@@ -213,18 +216,18 @@ class StoppedTest(TilesCase):
             self.run_tiles()
 
     def test_a_killed_command_goes_on(self):
-        _, expected = self.run_tiles(region_size=20, tile_size=320)
+        _, expected = self.run_tiles(num_iterations=SLOW)
         for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)):
-            call = [sys.executable, "-m", "gwatershed.tiles.command", "image.zarr", "killed.zarr", "--tile-size", "320",
-                    "--workers", "1"]
+            call = [sys.executable, "-m", "gwatershed.tiles.command", "image.zarr", "killed.zarr", "--region-size", "10",
+                    "--tile-size", "160", "--iterations", str(SLOW), "--workers", "1"]
             process = subprocess.Popen(call, cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             self.assertTrue(when_half_way(self.path("killed.zarr.part"), lambda: process.send_signal(number)))
             _, errors = process.communicate()
             self.assertEqual(process.returncode, code)
             self.assertEqual(b"the same command goes on" in errors, code == 130)
             with mock.patch.object(work, "_segment", wraps=work._segment) as calls:
-                _, labels = self.run_tiles("killed.zarr", region_size=20, tile_size=320, ruler=10.0, scheduler="threads")
-            self.assertLess(calls.call_count, 4)
+                _, labels = self.run_tiles("killed.zarr", num_iterations=SLOW, ruler=10)
+            self.assertLess(calls.call_count, 16)
             np.testing.assert_array_equal(labels, expected)
 
 
@@ -287,11 +290,11 @@ class ClusterTest(TilesCase):
         thread = threading.Thread(target=lambda: killed.append(
             when_half_way(self.path("labels.zarr.part"), self.workers[0].kill)))
         thread.start()
-        _, labels = self.run_command("--quiet")
+        _, labels = self.run_command("--quiet", "--iterations", str(SLOW))
         thread.join()
         self.assertEqual(killed, [True])
         self.assertIsNone(self.workers[1].poll())
-        np.testing.assert_array_equal(labels, expected)
+        np.testing.assert_array_equal(labels, self.run_tiles(num_iterations=SLOW)[1])
 
 
 @unittest.skipUnless(has("rasterio"), "needs rasterio")

@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 from contextlib import contextmanager, nullcontext
-from typing import Any, Iterator, Optional, Sequence, Tuple
+from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -61,10 +61,11 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     job = Job(source, depths, value_range or source.range(), tiling, parameters, os.path.abspath(output) + ".part")
     _begin(job)
     with _scheduler(scheduler, workers, progress) as compute:
-        number = _do_tiles(job, compute)
+        counts = _do_tiles(job, compute)
+        _number(job, counts, start_label)
         _write(job, output, start_label, progress, compute)
     shutil.rmtree(job.store)
-    return number
+    return sum(counts)
 
 
 def _begin(job: Job) -> None:
@@ -88,13 +89,22 @@ def _begin(job: Job) -> None:
         json.dump(description, file)
 
 
-def _do_tiles(job: Job, compute: Any) -> int:
+def _do_tiles(job: Job, compute: Any) -> List[int]:
+    """The number of superpixels of each tile."""
     from dask import delayed
     do = delayed(do_tile, pure=False)
     tasks: Any = {}
     for tile in job.tiling.in_order():
         tasks[tile] = do(job, tile, *(tasks[other] for other in job.tiling.earlier_neighbours(tile)))
-    return int(sum(compute([tasks[tile] for tile in range(len(job.tiling))])))
+    return list(compute([tasks[tile] for tile in range(len(job.tiling))]))
+
+
+def _number(job: Job, counts: List[int], start_label: int) -> None:
+    """Stores the first label of each tile, as one chunk, which is read for each tile."""
+    import zarr
+    firsts = np.cumsum([start_label] + counts[:-1])
+    zarr.open(os.path.join(job.store, "firsts"), mode="w", shape=firsts.shape, chunks=firsts.shape,
+              dtype=np.int64)[:] = firsts
 
 
 @contextmanager
@@ -142,7 +152,7 @@ def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
     zarr.open(final, mode="w", shape=(tiling.height, tiling.width), chunks=(tiling.chunk, tiling.chunk),
               dtype=np.int64, fill_value=start_label - 1)
     do = delayed(number_tile, pure=False)
-    compute([do(job, tile, start_label) for tile in range(len(tiling))])
+    compute([do(job, tile, start_label - 1) for tile in range(len(tiling))])
     shutil.rmtree(output, ignore_errors=True)
     os.replace(final, output)
 
@@ -159,6 +169,6 @@ def _write_raster(job: Job, output: str, start_label: int, progress: bool) -> No
         side = -(-tiling.chunk // 256) * 256
         windows = [Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
                    for top in range(0, tiling.height, side) for left in range(0, tiling.width, 4 * side)]
-        write = delayed(lambda window: write_window(file, window, final_labels(job, window, start_label)), pure=False)
+        write = delayed(lambda window: write_window(file, window, final_labels(job, window, start_label - 1)), pure=False)
         _compute_here([write(window) for window in windows], progress, scheduler="single-threaded")
     os.replace(part, output)

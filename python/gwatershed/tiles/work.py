@@ -4,7 +4,7 @@
 """The work on one tile. Done twice, or by another worker, it gives the same.
 
 While tiles are being done, a pixel has the number of the tile that labelled it and its label there, so tiles need not
-know how many superpixels the others have. At the end a table of a row for each tile makes them 1..N.
+know how many superpixels the others have. At the end a table of the first label of each tile makes them 1..N.
 """
 import os
 from dataclasses import dataclass
@@ -86,15 +86,14 @@ def _kept(tiling: Tiling, tile: int, labels: Any) -> Any:
     return kept
 
 
-def number_tile(job: Job, tile: int, first: int) -> None:
-    """Writes the final labels of a tile, `first` for the first superpixel of the first tile; others are first - 1."""
+def number_tile(job: Job, tile: int, outside: int) -> None:
+    """Writes the final labels of a tile."""
     window = job.tiling.core(tile)
-    job.open("final")[window.slices] = final_labels(job, window, first)
+    job.open("final")[window.slices] = final_labels(job, window, outside)
 
 
-def final_labels(job: Job, window: Any, first: int) -> Any:
+def final_labels(job: Job, window: Any, outside: int) -> Any:
+    """Labels from the first one of each tile on; `outside` where there is no superpixel."""
     labelled = job.open("labels")[window.slices]
-    counts = job.open("counts")[:].ravel()
-    before = np.concatenate([[0], np.cumsum(counts)[:-1]]) + first
     owners = labelled >> LABEL_BITS
-    return np.where(owners > 0, before[np.maximum(owners - 1, 0)] + (labelled & LABEL_MASK), first - 1)
+    return np.where(owners > 0, job.open("firsts")[:][np.maximum(owners - 1, 0)] + (labelled & LABEL_MASK), outside)
