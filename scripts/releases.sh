@@ -118,12 +118,13 @@ run_documents() { # RELEASE
 }
 
 # README's line for pip in a fresh environment, with an index of what is needed: the packages of the release as wheels.
+# Of the programs that an index has, ninja is no package of Python here; make does it.
 installs_from_index() { # RELEASE
     inside "$1" sh -ec "rm -rf /index /fresh
         /gwatershed/scripts/wheel_index.py /index pybind11 scikit-build-core packaging pathspec numpy
         python3 -m venv /fresh
         cd /gwatershed
-        export PATH=/fresh/bin:\$PATH PIP_INDEX_URL=file:///index
+        export PATH=/fresh/bin:\$PATH PIP_INDEX_URL=file:///index CMAKE_GENERATOR='Unix Makefiles'
         $(grep '^pip install' "$root/README.md")
         pip check
         cd /

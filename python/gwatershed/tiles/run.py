@@ -100,9 +100,9 @@ def _do_tiles(job: Job, compute: Any) -> List[int]:
 
 
 def _number(job: Job, counts: List[int], start_label: int) -> None:
-    """Stores the first label of each tile, as one chunk, which is read for each tile."""
+    """Stores the first label of each tile, after that of pixels without a tile. It is one chunk, read for each tile."""
     import zarr
-    firsts = np.cumsum([start_label] + counts[:-1])
+    firsts = np.cumsum([start_label - 1, 1] + counts[:-1])
     zarr.open(os.path.join(job.store, "firsts"), mode="w", shape=firsts.shape, chunks=firsts.shape,
               dtype=np.int64)[:] = firsts
 
@@ -152,7 +152,7 @@ def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
     zarr.open(final, mode="w", shape=(tiling.height, tiling.width), chunks=(tiling.chunk, tiling.chunk),
               dtype=np.int64, fill_value=start_label - 1)
     do = delayed(number_tile, pure=False)
-    compute([do(job, tile, start_label - 1) for tile in range(len(tiling))])
+    compute([do(job, tile) for tile in range(len(tiling))])
     shutil.rmtree(output, ignore_errors=True)
     os.replace(final, output)
 
@@ -169,6 +169,6 @@ def _write_raster(job: Job, output: str, start_label: int, progress: bool) -> No
         side = -(-tiling.chunk // 256) * 256
         windows = [Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
                    for top in range(0, tiling.height, side) for left in range(0, tiling.width, 4 * side)]
-        write = delayed(lambda window: write_window(file, window, final_labels(job, window, start_label - 1)), pure=False)
+        write = delayed(lambda window: write_window(file, window, final_labels(job, window)), pure=False)
         _compute_here([write(window) for window in windows], progress, scheduler="single-threaded")
     os.replace(part, output)

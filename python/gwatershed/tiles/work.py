@@ -50,14 +50,14 @@ def do_tile(job: Job, tile: int, *waited_for: Any) -> int:
     free = valid & (labelled == 0)
     labels = _segment(job, window, pixels, free)
     kept = _kept(job.tiling, tile, labels)
-    numbers = np.cumsum(kept) - 1
-    inside = labels >= 0
-    inside[inside] = kept[labels[inside]]
-    labelled[inside] = (tile + 1 << LABEL_BITS) + numbers[labels[inside]]
-    if inside.any() or own.any():
+    count = int(kept.sum())
+    numbers = np.zeros(len(kept) + 1, np.int64)  # the last for -1, outside of the mask
+    numbers[:-1][kept] = (tile + 1 << LABEL_BITS) + np.arange(count)
+    labelled |= numbers[labels]
+    if count or own.any():
         job.open("labels")[window.slices] = labelled
-    counts[row, column] = int(kept.sum())
-    return int(kept.sum())
+    counts[row, column] = count
+    return count
 
 
 def _segment(job: Job, window: Any, pixels: Any, free: Any) -> Any:
@@ -86,14 +86,15 @@ def _kept(tiling: Tiling, tile: int, labels: Any) -> Any:
     return kept
 
 
-def number_tile(job: Job, tile: int, outside: int) -> None:
+def number_tile(job: Job, tile: int) -> None:
     """Writes the final labels of a tile."""
     window = job.tiling.core(tile)
-    job.open("final")[window.slices] = final_labels(job, window, outside)
+    job.open("final")[window.slices] = final_labels(job, window)
 
 
-def final_labels(job: Job, window: Any, outside: int) -> Any:
-    """Labels from the first one of each tile on; `outside` where there is no superpixel."""
+def final_labels(job: Job, window: Any) -> Any:
     labelled = job.open("labels")[window.slices]
     owners = labelled >> LABEL_BITS
-    return np.where(owners > 0, job.open("firsts")[:][np.maximum(owners - 1, 0)] + (labelled & LABEL_MASK), outside)
+    labelled &= LABEL_MASK
+    labelled += job.open("firsts")[:][owners]
+    return labelled
