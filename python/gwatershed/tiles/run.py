@@ -113,7 +113,8 @@ def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Iterat
     if isinstance(scheduler, str) and scheduler in ("threads", "processes", "single-threaded"):
         threads = gwatershed.getNumThreads()  # the tasks change it
         try:
-            yield lambda tasks: _compute_here(tasks, progress, scheduler=scheduler, num_workers=workers)
+            options = {"chunksize": 1} if scheduler == "processes" else {}  # a process would take six tiles at once
+            yield lambda tasks: _compute_here(tasks, progress, scheduler=scheduler, num_workers=workers, **options)
         finally:
             gwatershed.setNumThreads(threads)
         return
