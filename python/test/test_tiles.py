@@ -218,8 +218,8 @@ class StoppedTest(TilesCase):
     def test_a_killed_command_goes_on(self):
         _, expected = self.run_tiles(num_iterations=SLOW)
         for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)):
-            call = [sys.executable, "-m", "gwatershed.tiles.command", "image.zarr", "killed.zarr", "--region-size", "10",
-                    "--tile-size", "160", "--iterations", str(SLOW), "--workers", "1"]
+            call = [sys.executable, "-m", "gwatershed.tiles.command", "image.zarr", "killed.zarr", "--workers", "1",
+                    "--region-size", "10", "--tile-size", "160", "--iterations", str(SLOW)]
             process = subprocess.Popen(call, cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             self.assertTrue(when_half_way(self.path("killed.zarr.part"), lambda: process.send_signal(number)))
             _, errors = process.communicate()
@@ -334,7 +334,8 @@ class GeoTiffTest(TilesCase):
     def test_control_points_survive(self):
         import rasterio
         from rasterio.control import GroundControlPoint
-        points = [GroundControlPoint(row=r, col=c, x=7 + c / 1e4, y=50 - r / 1e4) for r, c in ((0, 0), (0, 600), (490, 0))]
+        points = [GroundControlPoint(row=r, col=c, x=7 + c / 1e4, y=50 - r / 1e4)
+                  for r, c in ((0, 0), (0, 600), (490, 0))]
         with rasterio.open(self.path("points.tif"), "w", driver="GTiff", height=500, width=610, count=3, dtype="uint8",
                            gcps=points, crs="EPSG:4326") as file:
             file.write(self.image.transpose(2, 0, 1))
