@@ -355,6 +355,10 @@ class GeoTiffTest(TilesCase):
             self.assertEqual(command.main([self.path("none.tif"), self.path("labels.tif")]), 1)
         self.assertRegex(output.getvalue(), r"Completed[\s\S]*\d+ superpixels\n$")
         self.assertIn("tile_size must be", errors.getvalue())
+        for image, labels in (("image.zarr", "plain.tif"), ("plain.tif", "again.tif")):  # without a georeference
+            run = subprocess.run([sys.executable, "-m", "gwatershed.tiles.command", self.path(image), self.path(labels),
+                                  "--quiet"], stderr=subprocess.PIPE, check=True)
+            self.assertEqual(run.stderr, b"")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 """The command gwatershed-tiles: superpixels of an image file of any size."""
 import argparse
 import sys
+import warnings
 from typing import List, Optional
 
 from .run import segment_file
@@ -40,6 +41,7 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
+    warnings.filterwarnings("ignore", "Dataset has no geotransform")  # a plain picture has none
     try:
         number = segment_file(
             parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,

@@ -77,7 +77,9 @@ class Source:
         import rasterio
         with rasterio.open(self.name) as file:
             points, crs = file.gcps
-            return {"crs": crs, "gcps": points} if points else {"crs": file.crs, "transform": file.transform}
+            if points:
+                return {"crs": crs, "gcps": points}
+            return {"crs": file.crs} if file.transform.is_identity else {"crs": file.crs, "transform": file.transform}
 
     def range(self) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are."""
