@@ -64,6 +64,19 @@ class ArraysTest(unittest.TestCase):
         odd[:] = image
         self.assert_same_labels(odd, image)
 
+    def test_copies_only_what_it_must(self):
+        """Peak memory, each in a program of its own: a picture of 48 MB counts once more where it is copied."""
+        program = ("import sys, numpy as np, gwatershed\n"
+                   "wide = np.zeros((4000, 4000, 4), np.uint8)\n"
+                   "image = np.lib.stride_tricks.as_strided(wide, (4000, 4000, 3), (12016, 3, 1))\n"
+                   "gws = gwatershed.SuperpixelGWatershed(region_size=40)\n"
+                   "gwatershed.setNumThreads(1)\n"
+                   "gws.iterate(image[:, :, ::int(sys.argv[1])])\n"
+                   "print(next(line.split()[1] for line in open('/proc/self/status') if 'VmHWM' in line))\n")
+        peak = [int(subprocess.run([sys.executable, "-c", program, step], stdout=subprocess.PIPE, check=True).stdout)
+                for step in ("1", "-1")]
+        self.assertGreater(peak[1] - peak[0], 40000)
+
     def test_images_are_not_written_to(self):
         image = make_image()
         image.flags.writeable = False
@@ -206,6 +219,10 @@ class ObjectTest(unittest.TestCase):
                 (RuntimeError, "^There is no image: call iterate", gwatershed.SuperpixelGWatershed().iterate)):
             with self.assertRaisesRegex(kind, text):
                 call()
+
+    def test_needs_no_cv2(self):
+        program = "import sys, gwatershed; sys.exit('cv2' in sys.modules)"
+        self.assertEqual(subprocess.run([sys.executable, "-c", program], check=False).returncode, 0)
 
     def test_lack_of_memory(self):
         program = ("import resource, numpy, gwatershed\n"
