@@ -80,7 +80,8 @@ void RGWatershed::sweepAndMerge(const Plan& plan)
     Padded<int>& labels = labels_[plan.level];
     sweepers_[plan.level].sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweepers_[plan.level].sweepAgain(SWEEPS_BEFORE_MERGING - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.merge_rules, merge_buffers_, labels, regions_);
+    mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
+                        regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
         merge_buffers_ = MergeBuffers();
 }

@@ -50,31 +50,33 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
-//! The cost of a union without the contrast: a product of powers, as the sum of logarithms. Exponents are factors then,
-//! and there are no roots and no divisions. With d the distance of the means, n the areas, l the length of the
-//! boundary, L the lightness of the means, m that of the union:
-//!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (l / root of the smaller n)^-length
+//! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
+//! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l its
+//! length, L the lightness of the means, m that of the union:
+//!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness
 //! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
 //! It is the same for both orders of the regions.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
-                            const MergeRegion& b, int log_length)
+                            const MergeRegion& b, const MergeEdge& edge)
 {
-    const int log_union = logarithm(a.area + b.area);
+    const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
+    const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
     return rules.distance * logarithm(float(squared_distance + 4 * 256)) +
-           rules.areas * (a.log_area + b.log_area - log_union) -
+           rules.areas * (a.log_area + b.log_area - log_union) +
+           rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
            rules.brightness * (logarithm(a.light + b.light) - log_union);
 }
 
-//! What depends on colour alone counts as much as colour does beside depth.
+//! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
 static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
 {
     if (distance.with_depth)
     {
-        rules.lightness = rules.lightness * distance.color_share / FULL_WEIGHT;
-        rules.brightness = rules.brightness * distance.color_share / FULL_WEIGHT;
+        rules.lightness = rules.lightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
+        rules.brightness = rules.brightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
     }
     return rules;
 }
@@ -177,15 +179,12 @@ void SimilarMerger::evaluate()
 void SimilarMerger::evaluate(int k, std::vector<int>& table)
 {
     b_.graph.join(k, table);
-    if (b_.graph.withContrasts())
-        findCosts<true>(b_.graph.fresh(k));
-    else
-        findCosts<false>(b_.graph.fresh(k));
+    findCosts(b_.graph.fresh(k));
     b_.graph.settle(k);
     findBest(b_.graph.known(k));
 }
 
-template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
+void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
     const bool with_depth = distance_.with_depth;
@@ -197,11 +196,7 @@ template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
         const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
-        const int log_length = logarithm(float(edge.length));
-        int cost = unionCost(rules, distance, light_level, a, b, log_length);
-        if (CONTRAST)
-            cost += rules.contrast * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
-        edge.cost = cost;
+        edge.cost = unionCost(rules, distance, light_level, a, b, edge);
     }
 }
 

@@ -6,7 +6,6 @@
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
 #include "shared/merge_graph.hpp"
-#include "shared/region_distance.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,7 +14,7 @@ struct MergeRules
 {
     int distance;   //!< of the means
     int areas;      //!< n1 n2 / (n1 + n2)
-    int contrast;   //!< across the common boundary; 0: not measured
+    int contrast;   //!< across the common boundary
     int length;     //!< of the boundary: long ones make it cheap
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
@@ -63,7 +62,7 @@ struct MergeBuffers
 class SimilarMerger
 {
 public:
-    //! The graph of the buffers must have been built of the regions, with contrasts if these count.
+    //! The graph of the buffers must have been built of the regions.
     SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions);
 
     //! Merges until num_regions are left, or none has a neighbour.
@@ -82,7 +81,7 @@ private:
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
     void evaluate(int k, std::vector<int>& table);
-    template <bool CONTRAST> void findCosts(EdgeList& list) const;
+    void findCosts(EdgeList& list) const;
     void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);
