@@ -3,18 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "arguments.hpp"
-#include "conversion.hpp"
-#include "depth_scale.hpp"
-#include "gwatershed/gwatershed.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
 #include "results/merge_small.hpp"
 #include "results/statistics.hpp"
-#include "rgwatershed/rgwatershed.hpp"
-#include "rgwatershed/tuning.hpp"
-#include "segmentation.hpp"
+#include "segmenter.hpp"
 #include "shared/in_use.hpp"
-#include "shared/user_markers.hpp"
 
 #include <new>
 
@@ -43,10 +37,7 @@ public:
     //! Makes room for images of a size.
     void reserve(Size size)
     {
-        if (parameters_.algorithm == GWATERSHED)
-            gwatershed_.reserve(size);
-        else
-            rgwatershed_.reserve(size);
+        segmenter_.reserve(parameters_.algorithm, size);
         result_.labels.create(size, CV_32SC1);
     }
 
@@ -113,11 +104,7 @@ public:
         {
             Mat mask = gws::createOutput(image, result_.labels.size(), CV_8UC1);
             mask.setTo(Scalar(0));
-            if (result_.number > 0 && result_.parameters.algorithm == GWATERSHED)
-            {
-                Mat part = mask(result_.bounds);
-                gwatershed_.drawLines(part);
-            }
+            segmenter_.drawLines(result_, mask);
         });
     }
 
@@ -152,7 +139,7 @@ public:
         {
             Mat part = result_.labels(result_.bounds);
             if (result_.hierarchy.empty())
-                buildHierarchy(part);
+                segmenter_.buildHierarchy(result_);
             result_.number = result_.hierarchy.cut(num_superpixels, part);
         });
     }
@@ -197,10 +184,12 @@ public:
             Mat converted, scaled, tables[3];
             const Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
             const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
-            const Mat color = values.empty() ? Mat() : convert(values(result_.bounds), mask_inside, converted);
+            const gws::Parameters& used = result_.parameters;
+            const Mat color = values.empty() ? Mat()
+                                             : gws::convertInside(values(result_.bounds), mask_inside, used, converted);
             gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
-                               scaleInside(depth_inside, mask_inside, scaled), result_.parameters.alphaWeight(),
-                               tables[0], tables[1], tables[2]);
+                               gws::scaleInside(depth_inside, mask_inside, used, scaled), used.alphaWeight(), tables[0],
+                               tables[1], tables[2]);
             give(tables[0], pairs);
             give(tables[1], lengths);
             give(tables[2], contrasts);
@@ -214,7 +203,7 @@ public:
         {
             const gws::Mask checked(gws::checkMask(mask));
             if (!(checked == mask_)) // nothing fails from here on, so that all of the mask is set, or none of it
-                last_ = Last();
+                segmenter_.forget();
             mask_ = checked;
         });
     }
@@ -285,19 +274,6 @@ private:
             CV_Error(Error::StsError, "There is no segmentation: call iterate() first");
     }
 
-    //! What the next frame must have in common with the last one to go on from it in temporal mode.
-    struct Last
-    {
-        int algorithm = 0; // 0: there is nothing to go on from
-        Size size;
-        int num_superpixels = 0;
-
-        bool operator==(const Last& other) const
-        {
-            return algorithm == other.algorithm && size == other.size && num_superpixels == other.num_superpixels;
-        }
-    };
-
     //! Checks an output that may be left out.
     static void checkTable(OutputArray output, int type, bool is_line, const char* name)
     {
@@ -314,24 +290,6 @@ private:
         table.copyTo(copy);
     }
 
-    //! The image in 8 bits. What is outside of the mask has no influence on the range of values.
-    Mat convert(const Mat& image, const Mat& mask, Mat& buffer) const
-    {
-        const gws::FloatRange range = { result_.parameters.low_value, result_.parameters.high_value };
-        return gws::convertImage(image, mask, range, buffer);
-    }
-
-    //! Scaled depth. What is outside of the mask is dropped first, so that it has no influence on the scale.
-    Mat scaleInside(const Mat& depth, const Mat& mask, Mat& buffer) const
-    {
-        const gws::FloatRange range = { result_.parameters.near_depth, result_.parameters.far_depth };
-        if (depth.empty() || mask.empty())
-            return gws::scaleDepth(depth, range, buffer);
-        Mat inside(depth.size(), depth.type(), Scalar(0));
-        depth.copyTo(inside, mask);
-        return gws::scaleDepth(inside, range, buffer);
-    }
-
     void checkMaps(Size size) const
     {
         if (!mask_.empty())
@@ -342,66 +300,14 @@ private:
                                               " drops them");
     }
 
-    //! Checks, makes the frame, runs the algorithm and keeps what the next frame goes on from. If something fails on
-    //! the way, there is no segmentation, and the next call goes on from nothing.
     void segment(const Mat& image, const Mat& depth, int num_iterations)
     {
-        CV_TRACE_FUNCTION();
         checkMaps(image.size());
         result_.complete = false;
-        const Last last = last_;
-        last_ = Last();
         guardMemory([&]()
         {
-            result_.start(image.size(), parameters_, mask_);
-            if (!result_.bounds.empty())
-                run(makeFrame(image(result_.bounds), depth.empty() ? Mat() : depth(result_.bounds)), last,
-                    num_iterations);
+            segmenter_.segment(image, depth, markers_, mask_, parameters_, num_iterations, result_);
         });
-        result_.complete = true;
-    }
-
-    //! Frame of what is inside of the bounds. A mask without a pixel outside is left out.
-    gws::Frame makeFrame(const Mat& image, const Mat& depth)
-    {
-        const Rect bounds = result_.bounds;
-        gws::Frame frame;
-        frame.num_pixels = mask_.empty() ? bounds.area() : mask_.area;
-        if (frame.num_pixels < bounds.area())
-            frame.mask = mask_.pixels(bounds);
-        frame.color = convert(image, frame.mask, converted_);
-        frame.depth = scaleInside(depth, frame.mask, scaled_);
-        frame.num_superpixels = parameters_.countSuperpixels(frame.num_pixels);
-        if (!markers_.empty())
-        {
-            frame.num_superpixels = gws::numberMarkers(markers_(bounds), frame.mask, numbered_);
-            frame.markers = numbered_;
-        }
-        return frame;
-    }
-
-    void run(gws::Frame frame, const Last& last, int num_iterations)
-    {
-        Mat labels = result_.labels(result_.bounds);
-        result_.with_depth = !frame.depth.empty();
-        if (frame.num_superpixels == 0)
-        {
-            labels.setTo(Scalar(-1));
-            return;
-        }
-        Last now;
-        now.algorithm = parameters_.algorithm;
-        now.size = result_.labels.size();
-        now.num_superpixels = frame.num_superpixels;
-        const bool temporal = parameters_.temporal && markers_.empty();
-        frame.continues = temporal && now == last;
-        result_.number = parameters_.algorithm == GWATERSHED
-                ? gwatershed_.run(frame, parameters_, labels)
-                : rgwatershed_.run(frame, parameters_, num_iterations, labels);
-        if (!frame.mask.empty())
-            max(labels, Scalar(-1), labels);
-        if (temporal)
-            last_ = now;
     }
 
     void mergeBelow(int min_area)
@@ -414,14 +320,6 @@ private:
             result_.hierarchy = gws::MergeHierarchy();
     }
 
-    void buildHierarchy(const Mat& labels)
-    {
-        const gws::Parameters& used = result_.parameters;
-        const gws::Padded<gws::Feature> features = used.algorithm == GWATERSHED
-                ? gwatershed_.features(used.lab_input) : rgwatershed_.features();
-        result_.hierarchy.build(features, gws::floodDistance(used.alpha, result_.with_depth), labels, result_.number);
-    }
-
     gws::InUse in_use_;
     gws::Parameters parameters_;
     Mat image_, depth_; // copies of what the factory was given
@@ -429,12 +327,7 @@ private:
     Mat markers_;
 
     gws::Segmentation result_;
-    Last last_;
-
-    // The algorithms, and buffers that stay from one image to the next.
-    gws::GWatershed gwatershed_;
-    gws::RGWatershed rgwatershed_;
-    Mat converted_, scaled_, numbered_;
+    gws::Segmenter segmenter_;
 };
 
 } // namespace

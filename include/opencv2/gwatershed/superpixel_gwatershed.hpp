@@ -1,0 +1,426 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_SUPERPIXEL_GWATERSHED_HPP
+#define OPENCV_GWATERSHED_SUPERPIXEL_GWATERSHED_HPP
+
+#include "opencv2/core.hpp"
+
+namespace cv
+{
+namespace ximgproc
+{
+
+//! @addtogroup gwatershed
+//! @{
+
+//! Algorithms of SuperpixelGWatershed.
+enum GWatershedType
+{
+    //! Algorithm 1 of @cite Jiang2015 , for comparison: the priority of a pixel is its distance to the neighbour
+    //! from which the flood reaches it. One pass; `ruler` and `num_iterations` have no effect.
+    GWATERSHED = 200,
+    //! Region-guided watershed, the default: the priority of a pixel is its distance to the mean of the region
+    //! that reaches it. Better than GWATERSHED in every measure of quality.
+    RGWATERSHED = 201
+};
+
+/** @brief Superpixels by a marker-controlled watershed on a gradient map @cite Jiang2015 .
+
+@code{.cpp}
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 20);
+    gws->iterate();
+    Mat labels, contours;
+    gws->getLabels(labels);             // CV_32SC1, 0 .. gws->getNumberOfSuperpixels() - 1
+    gws->getLabelContourMask(contours); // CV_8UC1, 255 on the contours
+    gws->iterate(next_image);           // the next frame, of any size
+    gws->iterate(next_image, depth);    // a frame with depth
+@endcode
+
+![Contours, mean colours, and an image with depth](pics/gwatershed_demo.jpg)
+
+**RGWATERSHED**, the default, is the method to use. Its steps:
+1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
+   enough, their means over blocks of 2x2 or 4x4 pixels.
+2. Markers: four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
+3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
+   priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
+   that grows with its distance to the marker.
+4. Merging: similar neighbours become one region, until the number of superpixels is reached.
+5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
+   in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
+
+**GWATERSHED** is Algorithm 1 of the paper, kept exactly for comparison: a gradient map, one marker at a
+low gradient for each superpixel, and a flood with the distances of equations (1) to (4) as priorities. It leaves
+lines where two floods meet; at the end each pixel of a line joins the most similar neighbour.
+
+**Result.** Every pixel has a label, the labels are 0 to N - 1 without gaps, and the pixels of one label are
+one 4-connected component. Labels follow the order of the cells of the grid of markers. The result depends on the
+image, the depth and the parameters only: it is the same for any number of threads, in every run, and for a
+submatrix and its clone. Exceptions, each described with its method: pixels without a label, which are -1
+(setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
+
+**Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
+The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED
+converts them itself, so give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the
+channels as they are. Two channels count alike. If there are more, choose some by cv::extractChannel(), or reduce
+them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
+
+**Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
+CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
+negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else. Read
+depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give it, is 0 where it is farthest, so add 1 to it.
+Depth that is missing everywhere, or the same everywhere, changes nothing. See setDepthRange() and setAlpha().
+
+**Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
+memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
+and empty() returns true. The object can be used again in both cases. Input images are never written to. In
+Python None for depth is no depth. None for a number is its default, and throws if there is none: `iterate(None)` is
+`iterate()`, so check what imread() returned.
+
+**Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. An output with one row or one
+column may also be a std::vector of that type.
+
+**Threads.** Most steps run under cv::parallel_for_. The flood of GWATERSHED runs on the calling thread, and so
+does that of RGWATERSHED with a mask or with user markers. Different objects can be used in different threads at
+the same time. One object can not, except for its const methods: the second call throws cv::Exception.
+
+**Algorithm.** write() and read() store and restore the parameters; read() throws, and changes nothing, if one
+of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
+markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
+
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds some microseconds, which is
+most of the time where superpixels are smaller than about 10x10 pixels. Buffers are kept from one image to
+the next.
+*/
+class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
+{
+public:
+    /** @brief Number of superpixels N of the current segmentation, 0 before the first iterate().
+
+    N is the number asked for, or the number of pixels if that is smaller. enforceLabelConnectivity() and
+    mergeSimilar() reduce it. With a mask or with user markers see setMask() and setMarkers().
+    */
+    CV_WRAP virtual int getNumberOfSuperpixels() const = 0;
+
+    /** @brief Segments the image, and its depth, that were given to the factory.
+
+    The factory made a copy of them; iterate() of another image does not replace it. Each call starts from the
+    beginning with the current parameters, unless setTemporal() is on.
+
+    @param num_iterations Number of iterations, 1 or more. For RGWATERSHED each iteration after the first moves
+    more boundary pixels, and only where the mean colours of the superpixels explain the image as well or better
+    afterwards: the explained variation of the 8-bit image never falls. The time of an iteration is proportional
+    to the boundary that still moves; when nothing moves, the rest are skipped. From the 17th iteration on no
+    pixel moves because of depth alone. GWATERSHED makes one pass for any number.
+
+    ![After 1, 2, 4 and 8 iterations](pics/gwatershed_iterations.jpg)
+
+    Throws cv::Exception if the factory was given a size instead of an image, and after clear().
+    */
+    CV_WRAP virtual void iterate(int num_iterations = 1) = 0;
+
+    /** @overload
+    @brief Segments another image, of any size and of any type that the class documentation lists.
+    @param image Image to segment. It is not kept.
+    @param num_iterations Number of iterations, 1 or more.
+    */
+    CV_WRAP virtual void iterate(InputArray image, int num_iterations = 1) = 0;
+
+    /** @overload
+    @brief Segments another image with its depth.
+    @param image Image to segment. It is not kept.
+    @param depth Depth map of the size of the image, of a type named above. It is not kept. Empty (noArray(), None in
+    Python): colour alone.
+    @param num_iterations Number of iterations, 1 or more.
+    */
+    CV_WRAP virtual void iterate(InputArray image, InputArray depth, int num_iterations = 1) = 0;
+
+    /** @brief Returns a copy of the label map.
+
+    @param labels_out CV_32SC1 map of the size of the image, values in [0, N). -1 outside of a mask and where no
+    user marker reaches.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getLabels(OutputArray labels_out) const = 0;
+
+    /** @brief Returns the contours of the superpixels as a mask.
+
+    @param image CV_8UC1 mask of the size of the image: 255 on contours, 0 elsewhere.
+    @param thick_line If true, a pixel is on a contour if one of its 4 neighbours has another label: lines are two
+    pixels wide. If false, if its right or lower neighbour has: lines are one pixel wide, and are part of the thick
+    ones. There is no contour at the border of the image, nor beside pixels without a label.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getLabelContourMask(OutputArray image, bool thick_line = true) const = 0;
+
+    /** @brief Returns the watershed lines of GWATERSHED, before their pixels joined superpixels.
+
+    @param image CV_8UC1 mask of the size of the image: 255 where two floods met, where the gradient reached the
+    border threshold, and on pixels enclosed by these; 0 elsewhere. RGWATERSHED makes no lines: 0 everywhere.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getWatershedLineMask(OutputArray image) const = 0;
+
+    /** @brief Merges superpixels that are too small into a neighbour.
+
+    Superpixels are connected without this call. The smallest superpixel is merged first, into the neighbour
+    with the longest common boundary. N falls; labels are renumbered without gaps and keep their order.
+
+    @param min_element_size Smallest area allowed, in percent of the mean area (labelled pixels / N), in [0, 100]. 0
+    merges nothing. A superpixel without a neighbour stays.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void enforceLabelConnectivity(int min_element_size = 25) = 0;
+
+    /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
+
+    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is. */
+    CV_WRAP virtual void mergeSmall(int min_area) = 0;
+
+    //! @name After the segmentation
+    //! @{
+
+    /** @brief Merges similar neighbouring superpixels until a number is left.
+
+    @code{.cpp}
+        gws->iterate(image);         // 1600 superpixels
+        gws->mergeSimilar(400);
+        gws->getLabels(coarse);
+        gws->mergeSimilar(800);      // back to a finer level of the same hierarchy
+    @endcode
+
+    The first call after iterate() finds the order in which all superpixels merge; each call applies the first
+    part of that order. So the partitions for all numbers are nested, in any order of the calls, and a call
+    after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
+    without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
+
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary and lightness:
+    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{5/4} (h + 1)^{3/4}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-7/8} (|L_a - L_b| + 1)^{-5/8} (L + 16)^{-1} @f]
+    d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common
+    boundary in pixel edges, and h the contrast of the boundary: the mean distance (sum of absolute differences) of
+    the pixels on its two sides. L are the mean lightnesses, and that of both together, from 0 to 255. The distances
+    are in 8-bit levels of the opponent space of RGWATERSHED, with lightness halved, or of the channels given after
+    setLabInput(true); alpha weighs depth, and the exponents of lightness beside depth.
+
+    @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
+    in the components of a mask. If N is not larger to begin with, nothing is merged.
+
+    Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void mergeSimilar(int num_superpixels) = 0;
+
+    /** @brief Measures all superpixels in one pass: area, bounding box, centroid, mean colour, mean depth.
+
+    @code{.cpp}
+        gws->getStatistics(image, noArray(), stats, centroids, mean_colors);
+    @endcode
+
+    @param image Image of the size of the label map, of any type: the one that was segmented, or another one,
+    such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
+    @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
+    @param stats N x 5 CV_32SC1, one row for each superpixel, in pixels. The columns are those of
+    connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
+    @param centroids N x 2 CV_64FC1, x and y in pixels.
+    @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image, over its finite values.
+    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels whose depth is not missing and finite.
+
+    A mean is NaN if there is nothing to take it from.
+
+    A table without rows is None in Python. Throws cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
+                                       OutputArray mean_colors = noArray(),
+                                       OutputArray mean_depths = noArray()) const = 0;
+
+    /** @brief Lists the superpixels that touch: the region adjacency graph.
+
+    @param image Image of the size of the label map, of a type that iterate() takes, for the contrasts: the one that
+    was segmented, or another one. Empty (noArray(), None in Python): no contrasts.
+    @param depth Depth of that image; its range and alpha are those of the last iterate(). Empty: colour alone.
+    It must be empty if image is.
+    @param pairs M x 2 CV_32SC1: labels a < b of two superpixels that share a boundary (4-neighbours), in rows
+    sorted by a, then b.
+    @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
+    @param contrasts M x 1 CV_32FC1, contrast of the boundary, 0 to 255: the mean over its pixel edges of the
+    distance of the two pixels, equations (1) to (3) of the paper.
+
+    Without a mask or user markers the graph is connected. A table without rows is None in Python. Throws
+    cv::Exception before the first iterate().
+    */
+    CV_WRAP virtual void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
+                                      OutputArray contrasts = noArray()) const = 0;
+
+    //! @}
+
+    //! @name What to segment. Takes effect at the next iterate().
+    //! @{
+
+    /** @brief Restricts the segmentation to a part of the images to come.
+
+    Pixels outside have the label -1, are 0 in the masks of contours and lines, and have no influence on the
+    pixels inside. The number of superpixels and the region size count pixels inside only. Every connected
+    component of the mask has at least one superpixel: N is the number asked for or the number of components,
+    whichever is larger. Labels follow the order of the components; components too small for a block come last.
+    If the mask is zero everywhere, N = 0.
+
+    @param mask CV_8UC1, or CV_BoolC1 in OpenCV 5, non-zero inside, or empty for no mask. Before OpenCV 5, in Python,
+    give `inside.astype(np.uint8)` of a boolean array. It is copied, and kept until the next setMask() or clear().
+    iterate() throws if its size is not that of the image.
+    */
+    CV_WRAP virtual void setMask(InputArray mask) = 0;
+
+    /** @brief Sets the markers that superpixels grow from, as for cv::watershed.
+
+    N is the number of different positive values inside of the mask. Labels follow the order of the values; the
+    number of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel.
+    Markers may touch each other and the border of the image. A marker in several pieces makes a superpixel in
+    several pieces, at most as many. Pixels that no marker reaches, in other components of a mask, have the
+    label -1; so have all pixels if there is no marker. RGWATERSHED then floods single pixels instead of blocks,
+    which takes longer, and the ruler acts in the sweeps only.
+
+    @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of
+    getLabels()). Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate()
+    throws if its size is not that of the image.
+    */
+    CV_WRAP virtual void setMarkers(InputArray markers) = 0;
+
+    //! @}
+
+    //! @name Parameters. They take effect at the next iterate(). A value out of its range throws cv::Exception.
+    //! @{
+
+    /** @brief Sets the algorithm.
+    @param algorithm One of #GWatershedType. Default RGWATERSHED. */
+    CV_WRAP virtual void setAlgorithm(int algorithm = RGWATERSHED) = 0;
+    /** @brief The algorithm, one of #GWatershedType. @see setAlgorithm */
+    CV_WRAP virtual int getAlgorithm() const = 0;
+
+    /** @brief Asks for superpixels of a mean size; replaces setDesiredSuperpixels().
+    @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. The
+    number of superpixels is W * H / region_size^2, rounded, and at least 1. */
+    CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
+    /** @brief Region size in pixels, or 0 if a number of superpixels is asked for. @see setRegionSize */
+    CV_WRAP virtual int getRegionSize() const = 0;
+
+    /** @brief Asks for a number of superpixels; replaces setRegionSize().
+    @param num_superpixels Number of superpixels, 1 or more. It is met exactly; an image with fewer pixels gets one
+    superpixel for each pixel. */
+    CV_WRAP virtual void setDesiredSuperpixels(int num_superpixels) = 0;
+    /** @brief Number asked for, or 0 if a region size is asked for. @see setDesiredSuperpixels */
+    CV_WRAP virtual int getDesiredSuperpixels() const = 0;
+
+    /** @brief Sets the compactness.
+    @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and
+    boundaries are ragged. Small values give high boundary recall, larger ones more compact superpixels; above
+    50 little changes. The effect does not depend on the bit depth of the image or on the size of superpixels.
+    GWATERSHED ignores it.
+
+    ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
+    CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
+    /** @brief The compactness. @see setRuler */
+    CV_WRAP virtual float getRuler() const = 0;
+
+    /** @brief Sets the weight of colour against depth, equation (3) of the paper.
+    @param alpha In [0, 1], in steps of 1/256: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D. 1 is colour
+    alone, 0 is depth alone where there is depth. Default 0.5, as in the paper; take less where colour misleads.
+    Without depth it has no effect. Iterations after the first never move a pixel to a region whose colour is
+    farther, for any alpha.
+    @note RGWATERSHED divides the distance by the larger of the two weights, so that distances with and without
+    depth can be compared.
+
+    ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
+    CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
+    /** @brief The weight of colour against depth. @see setAlpha */
+    CV_WRAP virtual float getAlpha() const = 0;
+
+    /** @brief Tells that images are in CIELAB or a similar space instead of BGR.
+    @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to
+    its opponent space. If true, RGWATERSHED takes the channels as they are: lightness and two colour
+    differences, such as CIELAB from cv::cvtColor. GWATERSHED never converts. */
+    CV_WRAP virtual void setLabInput(bool lab_input) = 0;
+    /** @brief Whether images are in CIELAB or a similar space. @see setLabInput */
+    CV_WRAP virtual bool getLabInput() const = 0;
+
+    /** @brief Sets whether superpixels keep their labels from frame to frame.
+    @param temporal If false, the default, each frame is segmented by itself. If true, each iterate() of an
+    image continues the last segmentation: a superpixel keeps its label as long as it can be followed, over
+    motions of a few pixels from frame to frame.
+
+    RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
+    when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
+    the same. If half of the image has changed, all start again. GWATERSHED moves each marker to the middle of
+    its last region; the markers of regions that have nearly vanished move into the largest ones. Boundaries also
+    move a little on a still image.
+
+    A frame starts from the beginning if it is the first one or the first after clear(), if its size, mask,
+    algorithm or number of superpixels differs from that of the last frame, if it has user markers, and, for
+    RGWATERSHED, if the ruler has changed so much that the size of the blocks changes.
+    @note mergeSimilar() and enforceLabelConnectivity() renumber the labels of one frame only. The next frame
+    continues from the result of iterate(). */
+    CV_WRAP virtual void setTemporal(bool temporal) = 0;
+    /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
+    CV_WRAP virtual bool getTemporal() const = 0;
+
+    /** @brief Sets the range of values that becomes 0 to 255, for images that do not have 8 bits.
+
+    The map is the same for all channels, so that distances stay in proportion. 8-bit images are taken as they are.
+
+    @param low_value Value that becomes 0. Lower values and NaN become 0, too.
+    @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
+    the default, for the usual range of the type: 0 to 65535 for CV_16U, -128 to 127 for CV_8S, 0 to 1 for floats.
+    If the image does not lie in it, but for one finite value in 1000, or spans less than a sixteenth of it, and for
+    CV_16S and CV_32S always, it is the range of the frame: from the lowest to the highest finite value, without one
+    value in 1000 at each end, of a sample if the image is large.
+    @note The range of a frame changes from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
+    */
+    CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
+    /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getLowValue() const = 0;
+    /** @brief The value that becomes 255, or 0 if the range is automatic. @see setValueRange */
+    CV_WRAP virtual float getHighValue() const = 0;
+
+    /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
+
+    With a fixed range the scale is the same for all frames, so set it for a video.
+
+    @param near_depth Depth that becomes 1, in the unit of the depth map. Nearer depth becomes 1, too.
+    @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth,
+    finite; or both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its
+    valid depths, or from their minimum to their maximum if these percentiles are equal. Percentiles are those of a
+    sample if the frame is large. If a gap without depths takes seven eighths of that range, because a part of the
+    frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
+    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0. */
+    CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
+    /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
+    CV_WRAP virtual float getNearDepth() const = 0;
+    /** @brief The depth that becomes 255, or 0 if the range is taken from the frame. @see setDepthRange */
+    CV_WRAP virtual float getFarDepth() const = 0;
+
+    /** @brief Sets the gradient from which GWATERSHED makes a pixel a border at the start (line 6 of Algorithm 1).
+
+    RGWATERSHED ignores it.
+    @param border_threshold A pixel with this gradient or a larger one takes no part in the flood and joins a
+    neighbour after it. The gradient is the magnitude of the 3x3 Sobel derivatives of 8-bit values, 0 to 1443,
+    as for cv::Canny with L2gradient; with depth it is weighted by alpha. 0 or more, finite; 0 means no borders.
+    Default 150: without borders the flood crosses strong edges early, while pixels of lower priority still
+    wait, and misses half of the edges. */
+    CV_WRAP virtual void setBorderThreshold(float border_threshold = 150.0f) = 0;
+    /** @brief The gradient from which a pixel is a border, or 0 for none. @see setBorderThreshold */
+    CV_WRAP virtual float getBorderThreshold() const = 0;
+
+    //! @}
+};
+
+//! @}
+
+} // namespace ximgproc
+} // namespace cv
+
+#endif // OPENCV_GWATERSHED_SUPERPIXEL_GWATERSHED_HPP
