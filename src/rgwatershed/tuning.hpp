@@ -21,7 +21,7 @@ static const double MARKERS_WITH_BUFFERS = 0.05; // for each pixel; with more of
 enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
-static const double FLOOD_RULER = 0.28;        // priority in grey levels, by ruler, one grid step from the marker
+static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int SWEEPS_BEFORE_MERGING = 2;    // of the blocks that were flooded
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
@@ -36,7 +36,7 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
-static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
+static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 136, SWEEP_CHROMA = 336;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
@@ -60,8 +60,8 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 51, 72, 47, 0, 33, 49 };
-    rules.length = cvRound(14 + 37 * std::min(ruler / 10, 1.f));
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0 };
+    rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
     return rules;
 }
 
