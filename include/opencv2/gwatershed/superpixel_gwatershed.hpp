@@ -42,8 +42,8 @@ enum GWatershedType
 
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
-   enough, their means over blocks of 2x2 or 4x4 pixels.
-2. Markers: four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
+   enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
+2. Markers: two to four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
@@ -226,8 +226,8 @@ public:
         gws->getStatistics(image, noArray(), stats, centroids, mean_colors);
     @endcode
 
-    @param image Image of the size of the label map, of any type: the one that was segmented, or another one,
-    such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
+    @param image Image of the size of the label map, of any type but 64-bit integers: the one that was segmented, or
+    another one, such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
     @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
     @param stats N x 5 CV_32SC1, one row for each superpixel, in pixels. The columns are those of
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
@@ -347,7 +347,8 @@ public:
     /** @brief Tells that images are in CIELAB or a similar space instead of BGR.
     @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to
     its opponent space. If true, RGWATERSHED takes the channels as they are: lightness and two colour
-    differences, such as CIELAB from cv::cvtColor. GWATERSHED never converts. */
+    differences, such as CIELAB from cv::cvtColor. That of floats follows colour more than that of 8 bits, where
+    cvtColor() stretches lightness. GWATERSHED never converts. */
     CV_WRAP virtual void setLabInput(bool lab_input) = 0;
     /** @brief Whether images are in CIELAB or a similar space. @see setLabInput */
     CV_WRAP virtual bool getLabInput() const = 0;
