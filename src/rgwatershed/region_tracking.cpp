@@ -116,7 +116,7 @@ void RegionTracker::mergeAll(const Plan& plan, const Padded<Feature>& features, 
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
     MergeBuffers buffers;
-    buffers.graph.build(map, regions.size(), WithoutContrast());
+    buffers.graph.build(map, regions.size(), features, plan.flood_distance);
     SimilarMerger merger(plan.flood_distance, plan.merge_rules, buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();

@@ -81,7 +81,8 @@ void RGWatershed::sweepAndMerge(const Plan& plan)
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.merge_rules, merge_buffers_, labels, regions_);
+    mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
+                        regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
         merge_buffers_ = MergeBuffers();
 }

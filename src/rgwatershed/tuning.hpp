@@ -33,12 +33,12 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
-static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
-static const int SWEEP_LIGHTNESS = 150, SWEEP_CHROMA = 218;
+static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
+static const int SWEEP_LIGHTNESS = 136, SWEEP_CHROMA = 336;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
-static const double PRICE_BEFORE_MERGING = 10, PRICE = 24;
+static const double PRICE_BEFORE_MERGING = 2.5, PRICE = 22;
 
 //! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
 inline int floodBandHeight(double blocks, int num_superpixels)
@@ -57,8 +57,8 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 80, 104, 0, 0, 24, 48 };
-    rules.length = cvRound(16 + 32 * std::min(ruler / 10, 1.f));
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0 };
+    rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
     return rules;
 }
 

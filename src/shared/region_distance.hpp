@@ -42,6 +42,16 @@ public:
         return sum / FULL_WEIGHT;
     }
 
+    //! Distance of two pixels.
+    int operator()(const Feature& f, const Feature& g) const
+    {
+        const short* w = weights[(f.depth != 0) & (g.depth != 0)];
+        int sum = w[3] * std::abs(f.depth - g.depth);
+        for (int k = 0; k < 3; k++)
+            sum += w[k] * std::abs(f.color[k] - g.color[k]);
+        return sum / (FULL_WEIGHT / STEPS_PER_LEVEL);
+    }
+
     //! The square of it, in squared levels.
     int squared(const Feature& f, const RegionMean& r) const
     {

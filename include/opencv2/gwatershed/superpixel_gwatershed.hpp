@@ -200,14 +200,18 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary and lightness:
-    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{5/4} (h + 1)^{3/4}
-        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-7/8} (|L_a - L_b| + 1)^{-5/8} (L + 16)^{-1} @f]
-    d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, lightness and
+    texture:
+    @f[ (64 d^2 / V + 1)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.3} (h + 1)^{0.97}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1.02} (|L_a - L_b| + 1)^{-0.84} (L + 16)^{-0.87}
+        (\max(v_a, v_b) + 8)^{0.61} @f]
+    d is the distance of the mean colours and depths (Euclidean), v the variance of the colours in each of the two,
+    and V = v_a + v_b + 16; n the number of pixels, l the length of the common
     boundary in pixel edges, and h the contrast of the boundary: the mean distance (sum of absolute differences) of
     the pixels on its two sides. L are the mean lightnesses, and that of both together, from 0 to 255. The distances
-    are in 8-bit levels of the opponent space of RGWATERSHED, with lightness halved, or of the channels given after
-    setLabInput(true); alpha weighs depth, and the exponents of lightness beside depth.
+    are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
+    setLabInput(true); alpha weighs depth. The terms of lightness count less beside depth, and not at all at an alpha
+    of 0.5 or less.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.
