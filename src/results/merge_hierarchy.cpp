@@ -9,21 +9,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 80, 48, 56, 40, 64 };
-
-//! Distance of neighbouring pixels in colour and depth, in 1/16 of a level.
-struct FeatureContrast
-{
-    enum { COUNTS = 1 };
-
-    int operator()(Point p, Point q) const
-    {
-        return distance(features.row(p.y)[p.x], meanOf(features.row(q.y)[q.x]));
-    }
-
-    const FeatureMap& features;
-    const RegionDistance& distance;
-};
+static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, false };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
@@ -35,8 +21,8 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    const FeatureContrast contrast = { features, distance };
-    buffers.graph.build(labels, num_labels, contrast);
+    buffers.graph.build(labels, num_labels, features, distance);
+    measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, RULES, buffers, regions);
     unions_ = merger.runToTheEnd();
 

@@ -7,14 +7,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, const MergeRules& rules,
-                         MergeBuffers& buffers, Padded<int>& labels, Regions& regions)
+void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
+                         const MergeRules& rules, MergeBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     if (regions.size() <= num_regions)
         return;
     Mat map = labels.view(CV_32SC1);
-    buffers.graph.build(map, regions.size(), WithoutContrast());
+    buffers.graph.build(map, regions.size(), features, distance);
     SimilarMerger merger(distance, rules, buffers, regions);
     merger.run(num_regions);
 

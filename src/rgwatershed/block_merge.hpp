@@ -10,8 +10,8 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Merges the most similar neighbours until num_regions are left.
-void mergeSimilarRegions(int num_regions, const RegionDistance& distance, const MergeRules& rules,
-                         MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
+void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
+                         const MergeRules& rules, MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 }}} // namespace
 

@@ -7,16 +7,21 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mean of the values that are not 0.
-static uchar meanOfKnown(int a, int b, int c, int d)
+//! Mean of the depths that are valid.
+static uchar meanDepth(const Feature* const* elements, int n)
 {
-    const int known = (a != 0) + (b != 0) + (c != 0) + (d != 0);
-    return known ? uchar((a + b + c + d + known / 2) / known) : uchar(0);
+    int sum = 0, valid = 0;
+    for (int i = 0; i < n; i++)
+    {
+        sum += elements[i]->depth;
+        valid += elements[i]->depth != 0;
+    }
+    return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
 
-//! The same of 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines over the
-//! numbers 1 to 4, and divided by 12.
-static inline v_uint16x8 meanOfKnown(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
+//! The same of four 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines over
+//! the numbers 1 to 4, and divided by 12.
+static inline v_uint16x8 meanDepth(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
 {
     const v_uint16x8 one = v_setall_u16(1), sum = v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d));
     const v_int16x8 known = v_reinterpret_as_s16(v_add_wrap(v_add_wrap(v_min(a, one), v_min(b, one)),
@@ -54,16 +59,16 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
     const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
     const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
-    const v_uint8x16 means = v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high));
+    const v_uint8x16 means = v_pack(quarter(ha.low, hb.low, hc.low, hd.low),
+                                    quarter(ha.high, hb.high, hc.high, hd.high));
     if (!with_depth)
         return v_store(to->color, means);
-    const v_uint16x8 depth = meanOfKnown(depthOf(a), depthOf(b), depthOf(c), depthOf(d));
+    const v_uint32x4 depth = v_reinterpret_as_u32(meanDepth(depthOf(a), depthOf(b), depthOf(c), depthOf(d)));
     const v_uint32x4 colors = v_shr<8>(v_shl<8>(v_reinterpret_as_u32(means)));
-    v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(v_reinterpret_as_u32(depth)))));
+    v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(depth))));
 }
 
-static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows,
-                          Padded<Feature>& halved)
+static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& halved)
 {
     const Size size = features.size();
     const int width = halved.size().width;
@@ -89,65 +94,118 @@ static void halveFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
-//! Means of 2x2, of those that are known.
-static void halveNormals(const Mat& normals, Mat& halved)
+//! Sums over three rows of pixels, channel by channel.
+static void addRows(const Feature* const rows[3], int cols, ushort* sums)
 {
-    halved.create((normals.rows + 1) / 2, (normals.cols + 1) / 2, CV_8UC2);
-    parallel_for_(Range(0, halved.rows), [&](const Range& rows)
-    {
-        for (int y = rows.start; y < rows.end; y++)
-        {
-            const Normal* upper = normals.ptr<Normal>(2 * y);
-            const Normal* lower = normals.ptr<Normal>(std::min(2 * y + 1, normals.rows - 1));
-            Normal* to = halved.ptr<Normal>(y);
-            for (int x = 0; x < halved.cols; x++)
-            {
-                const int left = 2 * x, right = std::min(2 * x + 1, normals.cols - 1);
-                to[x].x = meanOfKnown(upper[left].x, upper[right].x, lower[left].x, lower[right].x);
-                to[x].y = meanOfKnown(upper[left].y, upper[right].y, lower[left].y, lower[right].y);
-            }
-        }
-    });
+    const uchar *a = rows[0]->color, *b = rows[1]->color, *c = rows[2]->color;
+    for (int i = 0; i < cols * int(sizeof(Feature)); i++)
+        sums[i] = ushort(a[i] + b[i] + c[i]);
 }
 
-static void createLevels(const Frame& frame, int top, FeatureMap* levels)
+//! Means of blocks of 3x3 pixels, from the sums of its columns, for two blocks at once.
+static inline void meanOfColumns(const ushort* sums, Feature* to)
 {
-    Size size = frame.color.size();
-    Camera camera = frame.camera;
-    for (int level = 0; level <= top; level++)
+    const int NINTH = 7282; // in 1/65536: rounded up, which makes the quotients of all sums right
+    const v_uint16x8 first = v_load_halves(sums, sums + 12), second = v_load_halves(sums + 4, sums + 16);
+    const v_uint16x8 third = v_load_halves(sums + 8, sums + 20);
+    const v_uint16x8 sum = v_add_wrap(v_add_wrap(first, second), v_add_wrap(third, v_setall_u16(4)));
+    v_pack_store(to->color, v_mul_hi(sum, v_setall_u16(NINTH)));
+}
+
+static void thirdFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& thirds)
+{
+    const Size size = features.size();
+    const int width = thirds.size().width, CHANNELS = int(sizeof(Feature));
+    std::vector<ushort> sums(CHANNELS * 3 * (width + 1)); // blocks are taken in pairs
+    std::vector<Feature> means(width + 1);
+    for (int y = rows.start; y < rows.end; y++)
     {
-        levels[level].create(size, Feature());
-        levels[level].camera = camera;
-        levels[level].normal_shift = level == 0;
-        if (level <= 1 || frame.normals.empty())
-            levels[level].normals = frame.normals;
-        else
-            halveNormals(levels[level - 1].normals, levels[level].normals);
-        size = Size((size.width + 1) / 2, (size.height + 1) / 2);
-        camera = camera.halved();
+        const Feature* from[3];
+        for (int i = 0; i < 3; i++)
+            from[i] = features.row(std::min(3 * y + i, size.height - 1));
+        addRows(from, size.width, sums.data());
+        for (int x = size.width; x < 3 * width; x++)
+            std::copy_n(&sums[CHANNELS * (size.width - 1)], CHANNELS, &sums[CHANNELS * x]);
+        for (int x = 0; x < width; x += 2)
+            meanOfColumns(&sums[3 * CHANNELS * x], &means[x]);
+        for (int x = 0; with_depth && x < width; x++)
+        {
+            const Feature* elements[9];
+            for (int i = 0; i < 9; i++)
+                elements[i] = from[i / 3] + std::min(3 * x + i % 3, size.width - 1);
+            means[x].depth = meanDepth(elements, 9);
+        }
+        std::copy(means.begin(), means.begin() + width, thirds.row(y));
     }
 }
 
-void makePyramid(const Frame& frame, bool lab_input, int top, FeatureMap* levels)
+//! Normals of blocks of some side, from those of blocks of 2x2 pixels: means of what is known of those they touch.
+static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
+{
+    united.create(size, CV_8UC2);
+    parallel_for_(Range(0, size.height), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+            for (int x = 0; x < size.width; x++)
+            {
+                const Rect block = Rect(Point(x * side / 2, y * side / 2),
+                                        Point(((x + 1) * side + 1) / 2, ((y + 1) * side + 1) / 2)) &
+                                   Rect(Point(), normals.size());
+                int sum_x = 0, sum_y = 0, known = 0;
+                for (int i = block.y; i < block.br().y; i++)
+                    for (int k = block.x; k < block.br().x; k++)
+                    {
+                        const Normal& normal = normals.ptr<Normal>(i)[k];
+                        sum_x += normal.x;
+                        sum_y += normal.y;
+                        known += normal.known();
+                    }
+                const int divisor = std::max(known, 1);
+                Normal& to = united.ptr<Normal>(y)[x];
+                to.x = uchar((sum_x + divisor / 2) / divisor);
+                to.y = uchar((sum_y + divisor / 2) / divisor);
+            }
+    });
+}
+
+static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureMap* features)
+{
+    for (int level = 0; level <= levels.top; level++)
+    {
+        const int side = levels.side(level);
+        FeatureMap& map = features[level];
+        map.create(levels.sizeOf(level, frame.color.size()), Feature());
+        map.camera = frame.camera.united(side);
+        map.normal_shift = side == 1;
+        if (side <= 2 || frame.normals.empty())
+            map.normals = frame.normals;
+        else
+            uniteNormals(frame.normals, side, map.size(), map.normals);
+    }
+}
+
+void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
 {
     CV_TRACE_FUNCTION();
-    const int BAND_HEIGHT = 16; // while its rows are in the cache
-    CV_DbgAssert(BAND_HEIGHT % (1 << top) == 0); // a band has whole blocks on every level
+    const int BAND_HEIGHT = 24; // while its rows are in the cache
+    CV_DbgAssert(BAND_HEIGHT % levels.side(levels.top) == 0); // a band has whole blocks on every level
     const Mat &color = frame.color, &depth = frame.depth;
-    createLevels(frame, top, levels);
+    createLevels(frame, levels, features);
     parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            for (int level = 0; level <= top; level++)
+            for (int level = 0; level <= levels.top; level++)
             {
-                const Range rows((i * BAND_HEIGHT) >> level,
-                                 std::min(((i + 1) * BAND_HEIGHT) >> level, levels[level].size().height));
+                const int height = BAND_HEIGHT / levels.side(level);
+                const Range rows(i * height, std::min((i + 1) * height, features[level].size().height));
                 if (level == 0)
                     for (int y = rows.start; y < rows.end; y++)
                         makeFeatureRow(color.ptr(y), color.channels(), lab_input, depth.empty() ? 0 : depth.ptr(y),
-                                       color.cols, levels[0].row(y));
+                                       color.cols, features[0].row(y));
+                else if (levels.ratio(level) == 3)
+                    thirdFeatures(features[level - 1], !depth.empty(), rows, features[level]);
                 else
-                    halveFeatures(levels[level - 1], !depth.empty(), rows, levels[level]);
+                    halveFeatures(features[level - 1], !depth.empty(), rows, features[level]);
             }
     });
 }

@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_PLAN_HPP
 
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/feature_pyramid.hpp"
 #include "shared/frame.hpp"
 #include "shared/mask_pyramid.hpp"
 #include "shared/parameters.hpp"
@@ -22,15 +23,17 @@ struct Plan
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
     int floodRuler(double num_blocks, int num_markers_there) const;
 
-    int level;              //!< of the pyramid, whose blocks are flooded; 0 for markers of the user
+    BlockLevels levels;     //!< the blocks of the top level are flooded; it is 0 for markers of the user
     double blocks;          //!< of that level, inside of the mask
     int num_superpixels;    //!< that merging leaves on that level
-    int num_markers;
+    int markers_per_superpixel, num_markers;
+    bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
     MergeRules merge_rules;
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
+    int sweeps_before_merging;
 };
 
 }}} // namespace

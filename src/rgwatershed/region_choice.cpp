@@ -9,8 +9,8 @@ namespace cv { namespace ximgproc { namespace gws {
 RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                            const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
-      means_(regions.means.data()), map_(features), surfaces_(regions.surfaces.means.data()),
-      distance_(distance), step_(labels.step())
+      means_(regions.means.data()), surfaces_(regions.surfaces.means.data()), map_(features),
+      distance_(distance.withoutSurface()), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -25,66 +25,75 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-int RegionChoice::squaredDistance(int pixel, const Row& row, int region) const
+//! Squared distances of pixels to the regions of some neighbours, of which a mask gives the offset.
+template <RegionChoice::Content CONTENT, typename Offset>
+void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const
 {
-    if (!distance_.with_surfaces)
-        return distance_.squared(features_[pixel], means_[region]);
-    return distance_.squared(features_[pixel], meanAt(region, pixel, row),
-                             row.normals ? ofNormals(region, pixel, row) : 0);
+    const Normal* normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
+    for (int i = 0; i < n; i += 4)
+    {
+        const Feature* features[4];
+        const RegionMean* means[4];
+        int of_surfaces[4] = {};
+        for (int k = 0; k < 4; k++)
+        {
+            const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
+            features[k] = features_ + pixel;
+            const int region = label & ~(label >> 31);
+            means[k] = means_ + region;
+            if (CONTENT == SURFACE)
+                of_surfaces[k] = ofSurface(pixel, y, normals, region);
+        }
+        v_store(squares + i, distance_.squared<CONTENT != COLOR>(features, means, v_load(of_surfaces)));
+    }
+}
+
+int RegionChoice::squaredDistance(int pixel, int y, int region) const
+{
+    const int of_surface = distance_.with_surfaces ? ofSurface(pixel, y, map_.normalsOfRow(y), region) : 0;
+    return distance_.squared(features_[pixel], means_[region], of_surface);
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
-template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
-void RegionChoice::findOpen(const int* pixels, int n, const Row& row, OpenPixels& open) const
+template <RegionChoice::Content CONTENT>
+void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
-    Feature* const features = open.features;
-    RegionMean* const means = open.means;
-    uchar several[BATCH]; // other regions
-    for (int i = 0; i < n; i++)
-    {
-        features[i] = features_[pixels[i]];
-        const int own = labels_[pixels[i]];
-        means[i] = ON_PLANES ? meanAt(own, pixels[i], row) : means_[own];
-        if (WITH_NORMALS)
-            open.squares[i] = ofNormals(own, pixels[i], row);
-    }
-    for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
-    {
-        open.squares[i] = 0;
-        features[i] = features[n - 1];
-        means[i] = means[n - 1];
-    }
-    distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, n, open.squares);
+    measure<CONTENT>(pixels, n, y, [](int) { return 0; }, open.first);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
-        const int pixel = pixels[i], slack = open.squares[i] - bounds_[masks_[pixel]];
-        features[count] = features[i];
+        const int pixel = pixels[i], slack = open.first[i] - bounds_[masks_[pixel]];
         open.indices[count] = pixel;
         open.slack[count] = slack;
         count += slack > 0;
     }
 
-    for (int i = 0; i < count; i++)
+    std::fill_n(open.indices + count, 3, pixels[0]);
+    measure<CONTENT>(open.indices, count, y, [&](int mask) { return first_offsets_[mask]; }, open.first);
+    n = count;
+    count = 0;
+    for (int i = 0; i < n; i++)
     {
-        const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
-        const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
-        const int other = first & ~(first >> 31);
-        means[i] = ON_PLANES ? meanAt(other, open.indices[i], row) : means_[other];
-        if (WITH_NORMALS)
-            open.squares[i] = ofNormals(other, open.indices[i], row);
-        several[i] = uchar((first != last) | table_.isTip(mask));
+        const int index = open.indices[i], slack = open.slack[i], square = open.first[i], mask = masks_[index];
+        const bool several = labels_[index + first_offsets_[mask]] != labels_[index + last_offsets_[mask]];
+        open.indices[count] = index;
+        open.slack[count] = slack;
+        open.first[count] = square;
+        count += (square < slack) | several | table_.isTip(mask);
     }
-    distance_.squared<WITH_DEPTH, WITH_NORMALS>(features, means, count, open.squares);
+
+    std::fill_n(open.indices + count, 3, pixels[0]);
+    measure<CONTENT>(open.indices, count, y, [&](int mask) { return last_offsets_[mask]; }, open.last);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {
-        const int index = open.indices[i], slack = open.slack[i], square = open.squares[i];
+        const int index = open.indices[i], slack = open.slack[i], first = open.first[i], last = open.last[i];
         open.indices[open.count] = index;
         open.slack[open.count] = slack;
-        open.squares[open.count] = square;
-        open.count += (square < slack) | several[i];
+        open.first[open.count] = first;
+        open.last[open.count] = last;
+        open.count += (first < slack) | (last < slack) | table_.isTip(masks_[index]);
     }
 }
 
@@ -103,17 +112,12 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    const bool with_normals = distance_.with_surfaces && distance_.normal_share > 0;
-    const Row row = { y, (y + 1) * step_ + 1,
-                      with_normals ? map_.normals.ptr<Normal>(y >> map_.normal_shift) : 0 };
-    if (with_normals)
-        findOpen<true, true, true>(pixels, n, row, open);
-    else if (distance_.with_surfaces)
-        findOpen<true, true, false>(pixels, n, row, open);
+    if (distance_.with_surfaces)
+        findOpen<SURFACE>(pixels, n, y, open);
     else if (distance_.with_depth)
-        findOpen<true, false, false>(pixels, n, row, open);
+        findOpen<DEPTH>(pixels, n, y, open);
     else
-        findOpen<false, false, false>(pixels, n, row, open);
+        findOpen<COLOR>(pixels, n, y, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;
@@ -121,7 +125,7 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
     {
         const int pixel = open.indices[i], mask = masks_[pixel];
         Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
-        compare(pixel, open.squares[i], choice);
+        compare(pixel, open.first[i], choice);
         choices[i] = choice;
         unfinished[num_unfinished] = i;
         num_unfinished += (~choice.seen & MaskTable::FOUR_NEIGHBORS) != 0;
@@ -130,10 +134,13 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
     {
         Choice& choice = choices[unfinished[i]];
         const int pixel = open.indices[unfinished[i]], *label = labels_ + pixel;
+        const int last = label[last_offsets_[masks_[pixel]]];
         do
         {
             const int region = label[first_offsets_[choice.seen]];
-            compare(pixel, squaredDistance(pixel, row, std::max(region, 0)), choice);
+            const int square = region == last ? open.last[unfinished[i]]
+                                              : squaredDistance(pixel, y, std::max(region, 0));
+            compare(pixel, square, choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
     }

@@ -28,26 +28,19 @@ public:
                  const Regions& regions, const RegionDistance& distance, int length_price);
 
     //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one for
-    //! each. Returns how many. Pixels that cannot leave are none of them.
+    //! each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
-    //! Pixels that another region may win.
+    //! Pixels that another region may win. Behind the last one is room for three more.
     struct OpenPixels
     {
-        Feature features[BATCH];
-        RegionMean means[BATCH]; // of a region that a pixel is compared with
+        enum { ROOM = BATCH + 3 };
         int count;
-        int indices[BATCH];
-        int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
-        int squares[BATCH]; // of the distance to the region of the first 4-neighbour that is not in its own
-    };
-
-    //! Where pixels of a row are, and their normals, if these count.
-    struct Row
-    {
-        int y, left; // index of the first one
-        const Normal* normals;
+        int indices[ROOM];
+        int slack[ROOM]; // squared distance below which a region wins that has all neighbours but those of its own
+        int first[ROOM]; // square of the distance to the region of the first 4-neighbour that is not in its own
+        int last[ROOM];  // the same of the last one
     };
 
     //! The best choice of a pixel so far.
@@ -56,18 +49,21 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    template <bool WITH_DEPTH, bool ON_PLANES, bool WITH_NORMALS>
-    void findOpen(const int* pixels, int n, const Row& row, OpenPixels& open) const;
+    //! What distances are made of: colour, depth of the region, or its surface.
+    enum Content { COLOR, DEPTH, SURFACE };
 
-    RegionMean meanAt(int region, int pixel, const Row& row) const
+    template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
+    template <Content CONTENT, typename Offset>
+    void measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const;
+
+    //! What the surfaces of a pixel in row y and a region add to their distance.
+    int ofSurface(int pixel, int y, const Normal* normals, int region) const
     {
-        return meanOnPlane(means_[region], surfaces_[region], Point(pixel - row.left, row.y));
+        const int x = pixel - (y + 1) * step_ - 1;
+        return distance_.ofSurface(features_[pixel], normals[x >> map_.normal_shift], means_[region],
+                                   surfaces_[region], x, y);
     }
-    int ofNormals(int region, int pixel, const Row& row) const
-    {
-        return distance_.ofNormals(row.normals[(pixel - row.left) >> map_.normal_shift], surfaces_[region]);
-    }
-    int squaredDistance(int pixel, const Row& row, int region) const;
+    int squaredDistance(int pixel, int y, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;
@@ -77,8 +73,8 @@ private:
     const int* const labels_;
     const uchar* const masks_;
     const RegionMean* const means_;
+    const SurfaceMean* const surfaces_; // if there are any
     const FeatureMap& map_; // of the features
-    const SurfaceMean* const surfaces_;
     const RegionDistance distance_;
     const int step_;
     // By mask of the neighbours that agree:

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/rgwatershed.hpp"
+#include "rgwatershed/adaptive_markers.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
@@ -27,10 +28,10 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     if (!frame.mask.empty())
         masks_.build(frame.mask, MAX_LEVEL);
     const Plan plan(frame, parameters, masks_);
-    const int top = plan.level;
+    const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    makePyramid(frame, parameters.lab_input, top, features_);
+    makePyramid(frame, parameters.lab_input, plan.levels, features_);
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
@@ -54,24 +55,27 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
-    const FeatureMap& features = features_[plan.level];
+    const FeatureMap& features = features_[plan.levels.top];
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
-    if (mask.empty())
+    if (mask.empty() && !plan.depth_adaptive)
     {
         placeGridMarkers(gradient_, plan.num_markers, markers_);
         divideIntoBands(features.size(), plan.num_markers, plan.band_height, bands_);
     }
     else
     {
-        placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
+        if (mask.empty())
+            placeAdaptiveMarkers(gradient_, features, plan.num_markers, markers_);
+        else
+            placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
     }
-    clearLabels(features.size(), mask, labels_[plan.level]);
+    clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
-                    flood_buffers_, labels_[plan.level], regions_);
+                    flood_buffers_, labels_[plan.levels.top], regions_);
     if (features.withNormals())
-        measureSurfaces(features, labels_[plan.level].view(CV_32SC1), regions_);
+        measureSurfaces(features, labels_[plan.levels.top].view(CV_32SC1), regions_);
 }
 
 //! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it
@@ -79,11 +83,13 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 void RGWatershed::sweepAndMerge(const Plan& plan)
 {
     CV_TRACE_FUNCTION();
-    const FeatureMap& features = features_[plan.level];
-    Padded<int>& labels = labels_[plan.level];
-    sweepers_[plan.level].sweepAll(features, plan.sweep_before_merging, labels, regions_);
-    sweepers_[plan.level].sweepAgain(SWEEPS_BEFORE_MERGING - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.merge_rules, merge_buffers_, labels, regions_);
+    const FeatureMap& features = features_[plan.levels.top];
+    Padded<int>& labels = labels_[plan.levels.top];
+    BoundarySweeper& sweeper = sweepers_[plan.levels.top];
+    sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
+    sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
+    mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
+                        regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
         merge_buffers_ = MergeBuffers();
 }
@@ -97,6 +103,8 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     regions_.resize(frame.num_superpixels);
     measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
     floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
+    if (features_[0].withNormals())
+        measureSurfaces(features_[0], labels_[0].view(CV_32SC1), regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
 }
@@ -105,18 +113,20 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iterations)
 {
     CV_TRACE_FUNCTION();
-    for (int level = plan.level; level >= 0; level--)
+    const int top = plan.levels.top;
+    for (int level = top; level >= 0; level--)
     {
-        const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING
+        const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweep;
-        if (level == 0 && plan.level > 0)
+        if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have no normals of their own
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
-        if (level < plan.level)
+        if (level < top)
             descend(frame, plan, level);
-        if (level < plan.level && frame.mask.empty())
-            sweepers_[level].sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
+        if (level < top && frame.mask.empty())
+            sweepers_[level].sweepBlocks(labels_[level + 1], plan.levels.ratio(level + 1), features_[level], rules,
+                                         labels_[level], regions_);
         else
             sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
         sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
@@ -127,12 +137,15 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
 //! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
-    regions_.divideBlocks();
+    const int side = plan.levels.ratio(level + 1);
+    regions_.divideBlocks(side);
     if (frame.mask.empty())
         return;
-    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
+    spreadLabels(labels_[level + 1], side, features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
+    if (features_[level].withNormals())
+        measureSurfaces(features_[level], labels_[level].view(CV_32SC1), regions_);
     if (level > 0)
     {
         closeUnseen(labels_[level]);

@@ -16,23 +16,27 @@ struct Camera
     Point2f center;    //!< where the optical axis meets the image
     float horizon = 0; //!< nearness of what is infinitely far away, in levels; it may be below 0
 
-    //! The same for elements that are twice as large.
-    Camera halved() const
+    //! The same for elements of `side` x `side` of these.
+    Camera united(int side) const
     {
         Camera camera = *this;
-        camera.focal = focal * 0.5f;
-        camera.center = (center - Point2f(0.5f, 0.5f)) * 0.5f;
+        camera.focal = focal / float(side);
+        camera.center = (center - middle(side)) / float(side);
         return camera;
     }
 
-    //! The same for elements that are half as large.
-    Camera doubled() const
+    //! The same for elements that these are made of, `side` x `side` for each.
+    Camera divided(int side) const
     {
         Camera camera = *this;
-        camera.focal = focal * 2;
-        camera.center = center * 2 + Point2f(0.5f, 0.5f);
+        camera.focal = focal * side;
+        camera.center = center * side + middle(side);
         return camera;
     }
+
+private:
+    //! Of an element in what it is made of.
+    static Point2f middle(int side) { return Point2f(1, 1) * (0.5f * float(side - 1)); }
 };
 
 }}} // namespace

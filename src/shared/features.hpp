@@ -41,10 +41,8 @@ struct FeatureMap : Padded<Feature>
     Camera camera;        //!< of the normals, in elements of this map
 
     bool withNormals() const { return !normals.empty(); }
-    const Normal& normalAt(Point p) const
-    {
-        return normals.ptr<Normal>(p.y >> normal_shift)[p.x >> normal_shift];
-    }
+    const Normal* normalsOfRow(int y) const { return normals.ptr<Normal>(y >> normal_shift); }
+    const Normal& normalAt(Point p) const { return normalsOfRow(p.y)[p.x >> normal_shift]; }
 };
 
 //! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become

@@ -6,8 +6,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Writes to `positions`, in order, where two rows differ; it has room for cols + 3. Returns how many these are.
 //! Without branches: each position is written, and the next one over it if there is no difference.
-int listDifferences(const int* row, const int* other, int cols, int* positions)
+static int listDifferences(const int* row, const int* other, int cols, int* positions)
 {
     int count = 0;
     for (int x = 0; x < cols; x++)
@@ -18,11 +19,87 @@ int listDifferences(const int* row, const int* other, int cols, int* positions)
     return count;
 }
 
-void MergeGraph::setRegions(int num_regions, bool with_contrasts)
+//! Adds an edge without branches: what is none, or not complete, is written over by the next.
+static inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, EdgeList& to)
+{
+    const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length, 0, contrast };
+    to.edges[to.count] = edge;
+    to.count += complete & (edge.a >= 0);
+}
+
+//! Edges between the pixels of a row.
+static void listEdgesRight(const int* row, const Feature* features, int cols, const RegionDistance& distance,
+                           int* positions, EdgeList& to)
+{
+    const int count = listDifferences(row, row + 1, cols - 1, positions);
+    for (int i = 0; i < count; i++)
+    {
+        const int x = positions[i];
+        addEdge(row[x], row[x + 1], 1, distance(features[x], features[x + 1]), true, to);
+    }
+}
+
+//! Edges between a row and the one below. Those side by side between the same regions are one.
+static void listEdgesBelow(const int* row, const int* below, const Feature* features, const Feature* features_below,
+                           int cols, const RegionDistance& distance, int* positions, EdgeList& to)
+{
+    const int count = listDifferences(row, below, cols, positions);
+    positions[count] = 0;
+    int length = 0;
+    int64 contrast = 0;
+    for (int i = 0; i < count; i++)
+    {
+        const int x = positions[i], next = positions[i + 1];
+        const bool ends = (next != x + 1) | (row[next] != row[x]) | (below[next] != below[x]);
+        length++;
+        contrast += distance(features[x], features_below[x]);
+        addEdge(row[x], below[x], length, contrast, ends, to);
+        length = ends ? 0 : length;
+        contrast = ends ? 0 : contrast;
+    }
+}
+
+static void listEdges(const Mat& labels, const Range& range, const Padded<Feature>& features,
+                      const RegionDistance& distance, EdgeRows& rows)
+{
+    const int cols = labels.cols;
+    rows.positions.resize(cols + 4);
+    rows.pieces.count = 0;
+    for (int y = range.start; y < range.end; y++)
+    {
+        const int* row = labels.ptr<int>(y);
+        rows.pieces.reserve(rows.pieces.count + 2 * cols + 1);
+        listEdgesRight(row, features.row(y), cols, distance, rows.positions.data(), rows.pieces);
+        if (y + 1 < labels.rows)
+            listEdgesBelow(row, labels.ptr<int>(y + 1), features.row(y), features.row(y + 1), cols, distance,
+                           rows.positions.data(), rows.pieces);
+    }
+}
+
+void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>& features,
+                       const RegionDistance& distance)
+{
+    CV_TRACE_FUNCTION();
+    const int LOWEST = 16, MOST = 32; // chunks of rows do not depend on the number of threads
+    const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST);
+    setRegions(num_regions);
+    rows_.resize((labels.rows + height - 1) / height);
+    parallel_for_(Range(0, int(rows_.size())), [&](const Range& range)
+    {
+        for (int k = range.start; k < range.end; k++)
+        {
+            const Range chunk(k * height, std::min((k + 1) * height, labels.rows));
+            listEdges(labels, chunk, features, distance, rows_[k]);
+            findSegments(rows_[k]);
+        }
+    });
+    collect();
+}
+
+void MergeGraph::setRegions(int num_regions)
 {
     const int num_bands = (num_regions + BAND - 1) / BAND;
     num_regions_ = num_regions;
-    with_contrasts_ = with_contrasts;
     known_.resize(num_bands + 1);
     fresh_.resize(num_bands + 1);
     leaving_.resize(num_bands + 1);
@@ -53,41 +130,33 @@ void MergeGraph::collect()
         for (size_t i = 0; i < rows_[k].segments.size(); i++)
         {
             const EdgeRows::Segment& segment = rows_[k].segments[i];
-            fresh_[segment.list].append(rows_[k].pieces, segment.first, segment.last, with_contrasts_);
+            fresh_[segment.list].append(rows_[k].pieces, segment.first, segment.last);
         }
 }
 
 void MergeGraph::relabel(const std::vector<int>& parents, const std::vector<uchar>& changed)
 {
-    const auto work = [&](int k)
-    {
-        if (with_contrasts_)
-            relabel<true>(k, parents.data(), changed.data());
-        else
-            relabel<false>(k, parents.data(), changed.data());
-    };
-    forBands([&](int k, std::vector<int>&) { work(k); });
-    work(numBands());
+    forBands([&](int k, std::vector<int>&) { relabel(k, parents.data(), changed.data()); });
+    relabel(numBands(), parents.data(), changed.data());
     handOver();
 }
 
 //! In place, and without branches: each edge is written to both lists, and stays in one of them.
-template <bool CONTRAST> void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
+void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
 {
     EdgeList &known = known_[k], &fresh = fresh_[k];
-    fresh.reserve(known.count + 1, CONTRAST);
+    fresh.reserve(known.count + 1);
     MergeEdge *edges = known.edges.data(), *fresh_edges = fresh.edges.data();
-    int64 *contrasts = known.contrasts.data(), *fresh_contrasts = fresh.contrasts.data();
     const size_t count = known.count;
     size_t num_known = 0, num_fresh = 0;
     for (size_t i = 0; i < count; i++)
     {
         const int a = parents[edges[i].a], b = parents[edges[i].b];
-        const MergeEdge edge = { std::min(a, b), std::max(a, b), edges[i].length, edges[i].cost };
+        MergeEdge edge = edges[i];
+        edge.a = std::min(a, b);
+        edge.b = std::max(a, b);
         const size_t exists = a != b, is_fresh = changed[a] | changed[b];
         edges[num_known] = fresh_edges[num_fresh] = edge;
-        if (CONTRAST)
-            contrasts[num_known] = fresh_contrasts[num_fresh] = contrasts[i];
         num_known += exists & (is_fresh ^ 1);
         num_fresh += exists & is_fresh;
     }
@@ -104,9 +173,9 @@ void MergeGraph::findLeaving(int k)
     for (size_t i = 0; i < fresh.count; i++)
     {
         if (listOf(fresh.edges[i].a, fresh.edges[i].b) != k)
-            leaving.append(fresh, i, i + 1, with_contrasts_);
+            leaving.append(fresh, i, i + 1);
         else if (leaving.count > 0)
-            fresh.move(i, count++, with_contrasts_);
+            fresh.edges[count++] = fresh.edges[i];
         else
             count++;
     }
@@ -120,23 +189,16 @@ void MergeGraph::handOver()
     {
         const EdgeList& from = leaving_[k];
         for (size_t i = 0; i < from.count; i++)
-            fresh_[listOf(from.edges[i].a, from.edges[i].b)].append(from, i, i + 1, with_contrasts_);
+            fresh_[listOf(from.edges[i].a, from.edges[i].b)].append(from, i, i + 1);
         leaving_[k].count = 0;
     }
 }
 
-void MergeGraph::join(int k, std::vector<int>& table)
-{
-    if (with_contrasts_)
-        join<true>(fresh_[k], table);
-    else
-        join<false>(fresh_[k], table);
-}
-
 //! The table has the index of each edge, in the first free slot; most slots stay free. An edge is written in any case,
 //! and the next one over it if it was there before.
-template <bool CONTRAST> void MergeGraph::join(EdgeList& list, std::vector<int>& table)
+void MergeGraph::join(int k, std::vector<int>& table)
 {
+    EdgeList& list = fresh_[k];
     const int NONE = -1;
     int bits = 4;
     while ((size_t(1) << bits) < 3 * list.count)
@@ -156,15 +218,12 @@ template <bool CONTRAST> void MergeGraph::join(EdgeList& list, std::vector<int>&
             found = table[slot];
         }
         const int length = edge.length, to = found == NONE ? count : found;
+        const int64 contrast = edge.contrast;
         edge.length = 0;
+        edge.contrast = 0;
         edges[count] = edge;
         edges[to].length += length;
-        if (CONTRAST)
-        {
-            const int64 contrast = list.contrasts[i];
-            list.contrasts[count] = 0;
-            list.contrasts[to] += contrast;
-        }
+        edges[to].contrast += contrast;
         table[slot] = to;
         count += found == NONE;
     }
@@ -173,7 +232,7 @@ template <bool CONTRAST> void MergeGraph::join(EdgeList& list, std::vector<int>&
 
 void MergeGraph::settle(int k)
 {
-    known_[k].append(fresh_[k], 0, fresh_[k].count, with_contrasts_);
+    known_[k].append(fresh_[k], 0, fresh_[k].count);
     fresh_[k].count = 0;
 }
 

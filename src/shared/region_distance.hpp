@@ -33,8 +33,8 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what counts beside colour, scale that of a normal of 1 against 127
-    //! levels of depth.
+    //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what
+    //! counts beside colour, scale that of one level of a normal against one of depth.
     void addSurfaces(float weight, float scale)
     {
         with_surfaces = true;
@@ -43,53 +43,70 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! What a normal adds to a distance, in 1/FULL_WEIGHT of a step; nothing if one is not known.
-    int ofNormals(const Normal& n, const SurfaceMean& s) const
+    //! The distance of colours alone, with the weights that they have beside depth. ofSurface() is what it lacks.
+    RegionDistance withoutSurface() const
     {
-        const int both = -int(n.known() & s.known()); // all bits
-        return normal_share * (std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y)) & both;
+        RegionDistance distance = *this;
+        if (with_surfaces)
+            distance.weights[1][3] = 0;
+        return distance;
     }
 
-    int operator()(const Feature& f, const RegionMean& r, int of_normals = 0) const
+    //! What the surface adds to a distance, in 1/FULL_WEIGHT of a step: the depth of a pixel against the plane of the
+    //! region at its place, and its normal against that of the region; nothing of what is not known.
+    int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
+    {
+        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
+        const int has_normal = -int(n.known() & s.known());
+        const int away = std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y));
+        const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
+        return ((depth_share * away) & has_depth) + ((normal_share * turned) & has_normal);
+    }
+
+    int operator()(const Feature& f, const RegionMean& r, int of_surface = 0) const
     {
         const short* w = weightsOf(f, r);
-        int sum = of_normals + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
+        int sum = of_surface + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
         for (int k = 0; k < 3; k++)
             sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
         return sum / FULL_WEIGHT;
     }
 
-    //! The square of it, in squared levels.
-    int squared(const Feature& f, const RegionMean& r, int of_normals = 0) const
+    //! Distance of two pixels.
+    int operator()(const Feature& f, const Feature& g) const
     {
-        const int d = (*this)(f, r, of_normals);
+        const short* w = weights[(f.depth != 0) & (g.depth != 0)];
+        int sum = w[3] * std::abs(f.depth - g.depth);
+        for (int k = 0; k < 3; k++)
+            sum += w[k] * std::abs(f.color[k] - g.color[k]);
+        return sum / (FULL_WEIGHT / STEPS_PER_LEVEL);
+    }
+
+    //! The square of it, in squared levels.
+    int squared(const Feature& f, const RegionMean& r, int of_surface = 0) const
+    {
+        const int d = (*this)(f, r, of_surface);
         return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
-    //! The squares of many pairs. Arrays have room for a multiple of 4, so that no pair is treated in another way.
-    //! Before, squares hold what normals add, if these count.
-    template <bool WITH_DEPTH, bool WITH_NORMALS>
-    void squared(const Feature* features, const RegionMean* means, int n, int* squares) const
+    //! The squares of four pairs at once.
+    template <bool WITH_DEPTH>
+    v_int32x4 squared(const Feature* const* f, const RegionMean* const* r, const v_int32x4& of_surfaces) const
     {
-        const v_int32x4 color = v_setall_s32(pairOf(weights[0], 0)), depth = v_setall_s32(pairOf(weights[0], 2));
-        for (int i = 0; i < n; i += 4)
-        {
-            v_int32x4 first = color, second = depth;
-            if (WITH_DEPTH)
-                splitPairs(v_load_halves(weightsOf(features[i], means[i]), weightsOf(features[i + 1], means[i + 1])),
-                           v_load_halves(weightsOf(features[i + 2], means[i + 2]),
-                                         weightsOf(features[i + 3], means[i + 3])), first, second);
-            v_uint16x8 low, high;
-            v_expand(v_load(features[i].color), low, high);
-            v_int32x4 color_differences, depth_differences;
-            splitPairs(difference(low, means[i].color), difference(high, means[i + 2].color), color_differences,
-                       depth_differences);
-            const v_int32x4 of_normals = WITH_NORMALS ? v_load(squares + i) : v_setzero_s32();
-            const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
-                v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second), of_normals));
-            const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
-            v_store(squares + i, v_shr<8>(v_dotprod(d, d)));
-        }
+        v_int32x4 first = v_setall_s32(pairOf(weights[0], 0)), second = v_setall_s32(pairOf(weights[0], 2));
+        if (WITH_DEPTH)
+            splitPairs(v_load_halves(weightsOf(*f[0], *r[0]), weightsOf(*f[1], *r[1])),
+                       v_load_halves(weightsOf(*f[2], *r[2]), weightsOf(*f[3], *r[3])), first, second);
+        const v_uint32x4 features(bitsOf(*f[0]), bitsOf(*f[1]), bitsOf(*f[2]), bitsOf(*f[3]));
+        v_uint16x8 low, high;
+        v_expand(v_reinterpret_as_u8(features), low, high);
+        v_int32x4 color_differences, depth_differences;
+        splitPairs(difference(low, v_load_halves(r[0]->color, r[1]->color)),
+                   difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences, depth_differences);
+        const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
+            v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second), of_surfaces));
+        const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
+        return v_shr<8>(v_dotprod(d, d));
     }
 
     bool with_depth, with_surfaces = false;
@@ -113,9 +130,16 @@ private:
         v_zip(even, odd, first, second);
     }
 
-    static v_int16x8 difference(const v_uint16x8& features, const short* means)
+    static unsigned bitsOf(const Feature& f)
     {
-        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), v_load(means)));
+        unsigned bits;
+        memcpy(&bits, &f, sizeof(bits));
+        return bits;
+    }
+
+    static v_int16x8 difference(const v_uint16x8& features, const v_int16x8& means)
+    {
+        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), means));
     }
 
     const short* weightsOf(const Feature& f, const RegionMean& r) const

@@ -12,6 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
+static const int64 UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
@@ -50,7 +51,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
-//! How far the centre of one region is from the plane of another one, in depth.
+//! How far the centre of a region is from the plane of another one, in depth.
 static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
 {
     const int UNIT = SurfaceMean::CENTER_UNIT;
@@ -64,8 +65,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 {
     if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
         return squaredDistance(a, b);
-    const int step = std::min(depthBetween(surface_a, surface_b, b[3]),
-                              depthBetween(surface_b, surface_a, a[3]));
+    const int step = std::min(depthBetween(surface_a, surface_b, b[3]), depthBetween(surface_b, surface_a, a[3]));
     const int depth = (distance.depth_share * step) >> 8;
     const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
     const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
@@ -73,33 +73,67 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return color + depth * depth + x * x + y * y;
 }
 
-//! The cost of a union without the contrast: a product of powers, as the sum of logarithms. Exponents are factors then,
-//! and there are no roots and no divisions. With d the distance of the means, n the areas, l the length of the
-//! boundary, L the lightness of the means, m that of the union:
-//!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness
-//! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
-//! It is the same for both orders of the regions.
+//! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
+//! roots and no divisions. With d the distance of the means, v the variances, n the areas, h the mean contrast across
+//! the boundary, l its length, L the lightness of the means, m that of the union:
+//!     (64 d^2 / V + 1)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
+//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture,   V = v1 + v2 + 16
+//! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
+//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + 1) is as good as
+//! (d^2 + 4). The cost is the same for both orders of the regions.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
-                            const MergeRegion& b, int log_length)
+                            const MergeRegion& b, const MergeEdge& edge)
 {
-    const int log_union = logarithm(a.area + b.area);
-    return rules.distance * logarithm(float(squared_distance + 4 * 256)) +
-           rules.areas * (a.log_area + b.log_area - log_union) -
+    const float variance = a.variance + b.variance + 16 * 256;
+    const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
+    const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
+    return rules.distance * (logarithm(64 * float(squared_distance) + variance) - logarithm(variance)) +
+           rules.areas * (a.log_area + b.log_area - log_union) +
+           rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
-           rules.brightness * (logarithm(a.light + b.light) - log_union);
+           rules.brightness * (logarithm(a.light + b.light) - log_union) +
+           rules.texture * logarithm(std::max(a.variance, b.variance) + 8 * 256);
 }
 
-//! What depends on colour alone counts as much as colour does beside depth.
+//! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
 static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
 {
     if (distance.with_depth)
     {
-        rules.lightness = rules.lightness * distance.color_share / FULL_WEIGHT;
-        rules.brightness = rules.brightness * distance.color_share / FULL_WEIGHT;
+        rules.lightness = rules.lightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
+        rules.brightness = rules.brightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
     }
     return rules;
+}
+
+void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
+                    std::vector<int64>& squares)
+{
+    CV_TRACE_FUNCTION();
+    int table[3][256];
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 256; i++)
+        {
+            const int weighted = distance.weights[0][k] * i / (FULL_WEIGHT / STEPS_PER_LEVEL);
+            table[k][i] = weighted * weighted;
+        }
+    squares.assign(num_regions, 0);
+    for (int y = 0; y < labels.rows; y++)
+    {
+        const int* row = labels.ptr<int>(y);
+        const Feature* feature = features.row(y);
+        for (int x = 0; x < labels.cols;)
+        {
+            const int label = row[x];
+            int64 run = 0;
+            for (; x < labels.cols && row[x] == label; x++)
+                for (int k = 0; k < 3; k++)
+                    run += table[k][feature[x].color[k]];
+            if (label >= 0)
+                squares[label] += run;
+        }
+    }
 }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
@@ -147,12 +181,31 @@ void SimilarMerger::start()
     });
 }
 
+//! The square of a sum over the number is taken apart, so that nothing is rounded before the end:
+//! with sum = q n + r it is q^2 n + 2 q r + r^2 / n.
+int64 SimilarMerger::variance(int region) const
+{
+    const RegionSum& sum = regions_.sums[region];
+    int64 squares = b_.squares[region];
+    for (int k = 0; k < 3; k++)
+    {
+        const int64 n = sum.area, weighted = sum.color[k] * distance_.weights[0][k] / (FULL_WEIGHT / STEPS_PER_LEVEL);
+        const int64 q = weighted / n, r = weighted % n;
+        squares -= q * q * n + 2 * q * r + r * r / n;
+    }
+    return std::max<int64>(squares, 0) / sum.area;
+}
+
 MergeRegion SimilarMerger::describe(int region) const
 {
     const RegionMean& mean = regions_.means[region];
     const RegionSum& sum = regions_.sums[region];
-    const float area = float(sum.area);
-    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area), float(sum.color[0] + 16 * int64(sum.area)) };
+    const float scale = rules_.on_surface && mean.depth != RegionMean::NO_DEPTH
+            ? areaScale(mean.depth, regions_.surfaces.camera) : 1.f;
+    const float area = float(sum.area) * scale;
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
+                           float(b_.squares.empty() ? UNKNOWN_VARIANCE : variance(region)),
+                           float(sum.color[0] + 16 * int64(sum.area)) * scale };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -200,15 +253,12 @@ void SimilarMerger::evaluate()
 void SimilarMerger::evaluate(int k, std::vector<int>& table)
 {
     b_.graph.join(k, table);
-    if (b_.graph.withContrasts())
-        findCosts<true>(b_.graph.fresh(k));
-    else
-        findCosts<false>(b_.graph.fresh(k));
+    findCosts(b_.graph.fresh(k));
     b_.graph.settle(k);
     findBest(b_.graph.known(k));
 }
 
-template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
+void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
     const bool with_depth = distance_.with_depth, with_surfaces = distance_.with_surfaces;
@@ -222,11 +272,7 @@ template <bool CONTRAST> void SimilarMerger::findCosts(EdgeList& list) const
         const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a], surfaces[edge.b])
                            : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
-        const int log_length = logarithm(float(edge.length));
-        int cost = unionCost(rules, distance, light_level, a, b, log_length);
-        if (CONTRAST)
-            cost += rules.contrast * (logarithm(float(list.contrasts[i] + 16 * int64(edge.length))) - log_length);
-        edge.cost = cost;
+        edge.cost = unionCost(rules, distance, light_level, a, b, edge);
     }
 }
 
@@ -350,6 +396,8 @@ void SimilarMerger::unite()
 void SimilarMerger::unite(const MergePair& pair)
 {
     regions_.unite(pair.from, pair.to);
+    if (!b_.squares.empty())
+        b_.squares[pair.to] += b_.squares[pair.from];
     b_.records[pair.to] = describe(pair.to);
     b_.parents[pair.from] = pair.to;
     b_.changed[pair.to] = 1;

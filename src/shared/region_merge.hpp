@@ -6,7 +6,6 @@
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
 #include "shared/merge_graph.hpp"
-#include "shared/region_distance.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,10 +14,12 @@ struct MergeRules
 {
     int distance;   //!< of the means
     int areas;      //!< n1 n2 / (n1 + n2)
-    int contrast;   //!< across the common boundary; 0: not measured
+    int contrast;   //!< across the common boundary
     int length;     //!< of the boundary: long ones make it cheap
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
+    int texture;    //!< the larger variance: rough regions should not take in others
+    bool on_surface; //!< areas are those on the surface, not in the image
 };
 
 //! What the cost of a union reads of a region.
@@ -27,8 +28,13 @@ struct MergeRegion
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
+    float variance; //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
 };
+
+//! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
+void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
+                    std::vector<int64>& squares);
 
 //! A union that may be done in a round.
 struct MergePair
@@ -46,10 +52,11 @@ struct MergeBand
     std::vector<MergePair> pairs;
 };
 
-//! Buffers of merging. The graph is also its input.
+//! Buffers of merging. The graph and the squares are also its input.
 struct MergeBuffers
 {
     MergeGraph graph;
+    std::vector<int64> squares;     // of each region: sum of its squared colours, weighted; empty: no variances
     std::vector<MergeBand> bands;
     std::vector<MergeRegion> records;
     std::vector<uint64> best;       // of each region: the price of its cheapest union
@@ -63,7 +70,7 @@ struct MergeBuffers
 class SimilarMerger
 {
 public:
-    //! The graph of the buffers must have been built of the regions, with contrasts if these count.
+    //! The graph of the buffers must have been built of the regions.
     SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions);
 
     //! Merges until num_regions are left, or none has a neighbour.
@@ -78,11 +85,12 @@ public:
 
 private:
     void start();
+    int64 variance(int region) const;
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
     void evaluate(int k, std::vector<int>& table);
-    template <bool CONTRAST> void findCosts(EdgeList& list) const;
+    void findCosts(EdgeList& list) const;
     void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);

@@ -6,26 +6,23 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void Regions::divideBlocks()
+void Regions::divideBlocks(int side)
 {
-    surfaces.camera = surfaces.camera.doubled();
+    const int elements = side * side;
+    surfaces.camera = surfaces.camera.divided(side);
     for (size_t i = 0; i < surfaces.sums.size(); i++)
     {
-        surfaces.sums[i].divideBlocks(sums[i].depth_area);
-        SurfaceMean& mean = surfaces.means[i];
-        mean.slope_x /= 2;
-        mean.slope_y /= 2;
-        mean.center = 2 * mean.center + Point(1, 1) * (SurfaceMean::CENTER_UNIT / 2);
-        mean.setDepth(means[i].depth);
+        surfaces.sums[i].divideBlocks(side, sums[i].depth_area);
+        surfaces.means[i].divideBlocks(side, means[i].depth);
     }
     for (int i = 0; i < size(); i++)
     {
         RegionSum& sum = sums[i];
         for (int k = 0; k < 3; k++)
-            sum.color[k] *= 4;
-        sum.depth *= 4;
-        sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // less at odd borders
-        sum.depth_area = int(std::min<int64>(4 * int64(sum.depth_area), INT_MAX));
+            sum.color[k] *= elements;
+        sum.depth *= elements;
+        sum.area = int(std::min<int64>(elements * int64(sum.area), INT_MAX)); // less at the borders
+        sum.depth_area = int(std::min<int64>(elements * int64(sum.depth_area), INT_MAX));
     }
 }
 

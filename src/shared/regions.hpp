@@ -35,14 +35,6 @@ inline RegionMean meanOf(const Feature& f)
     return mean;
 }
 
-//! The same with the depth of the plane of the region at a place, if it has depth.
-inline RegionMean meanOnPlane(const RegionMean& mean, const SurfaceMean& surface, Point p)
-{
-    RegionMean there = mean;
-    there.depth = short(mean.depth == RegionMean::NO_DEPTH ? int(mean.depth) : surface.depthAt(p.x, p.y));
-    return there;
-}
-
 //! Sums over the pixels of a region.
 struct RegionSum
 {
@@ -70,11 +62,11 @@ struct RegionSum
 
     RegionMean mean() const
     {
-        const int64 reciprocal = FIXED_ONE / area;
+        const int64 reciprocal = int64(double(FIXED_ONE) / area);
         RegionMean m;
         for (int k = 0; k < 3; k++)
             m.color[k] = divide(color[k], reciprocal);
-        m.depth = depth_area ? divide(depth, FIXED_ONE / depth_area) : short(RegionMean::NO_DEPTH);
+        m.depth = depth_area ? divide(depth, int64(double(FIXED_ONE) / depth_area)) : short(RegionMean::NO_DEPTH);
         return m;
     }
 
@@ -107,14 +99,9 @@ struct Regions
         resize(n);
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
-    //! The mean of a region, with the depth of its plane at a place.
-    RegionMean meanAt(int i, Point p) const
-    {
-        return surfaces.present ? meanOnPlane(means[i], surfaces.means[i], p) : means[i];
-    }
-    //! From sums over blocks to sums over the 2x2 elements in each block. A block is their mean, so sums become four
-    //! times as large.
-    void divideBlocks();
+    //! From sums over blocks to sums over what they are made of, side x side elements for each block. A block is their
+    //! mean, so sums become so many times as large.
+    void divideBlocks(int side);
     //! Copies a region to another number.
     void copy(int from, int to);
     //! Adds the pixels of a region to those of another one.

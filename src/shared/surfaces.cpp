@@ -6,13 +6,32 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void SurfaceSum::divideBlocks(int depth_area)
+//! Distance is one over nearness above the horizon, area its square.
+float areaScale(int depth, const Camera& camera)
 {
-    normal_x *= 4;
-    normal_y *= 4;
-    normal_area = int(std::min<int64>(4 * int64(normal_area), INT_MAX));
-    x = 8 * x + 2 * depth_area; // pixels 2x and 2x + 1, in two rows
-    y = 8 * y + 2 * depth_area;
+    const float MOST = 32; // times as far, where it ends
+    const int horizon = cvRound(STEPS_PER_LEVEL * camera.horizon), nearest = 255 * STEPS_PER_LEVEL - horizon;
+    const float times = std::min(float(nearest) / float(std::max(depth - horizon, 1)), MOST);
+    return times * times;
+}
+
+void SurfaceMean::divideBlocks(int side, int depth)
+{
+    slope_x = short(slope_x / side);
+    slope_y = short(slope_y / side);
+    center = side * center + Point(1, 1) * (CENTER_UNIT * (side - 1) / 2);
+    setDepth(depth);
+}
+
+void SurfaceSum::divideBlocks(int side, int depth_area)
+{
+    const int elements = side * side;
+    normal_x *= elements;
+    normal_y *= elements;
+    normal_area = int(std::min<int64>(elements * int64(normal_area), INT_MAX));
+    const int64 middle = int64(elements) * (side - 1) * depth_area / 2; // of a block in its elements
+    x = elements * side * x + middle;
+    y = elements * side * y + middle;
 }
 
 static int64 divide(int64 sum, int count)

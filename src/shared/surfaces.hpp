@@ -29,6 +29,9 @@ struct SurfaceMean
         base = PLANE_UNIT * depth - int(rise / CENTER_UNIT);
     }
 
+    //! From blocks to the side x side elements in each.
+    void divideBlocks(int side, int depth);
+
     //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
     int depthAt(int at_x, int at_y) const
     {
@@ -36,6 +39,9 @@ struct SurfaceMean
         return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
     }
 };
+
+//! How much larger the surface is that an element at some depth, in steps, stands for than one at the near end.
+float areaScale(int depth, const Camera& camera);
 
 //! What of the surface is summed up over the pixels of a region.
 struct SurfaceSum
@@ -63,8 +69,8 @@ struct SurfaceSum
         y += s.y;
     }
 
-    //! From blocks to the 2x2 elements in each.
-    void divideBlocks(int depth_area);
+    //! From blocks to the side x side elements in each. depth_area is that of the blocks.
+    void divideBlocks(int side, int depth_area);
 
     //! depth is the mean of the pixels that have it, in steps.
     SurfaceMean mean(int depth, int depth_area, const Camera& camera) const;
