@@ -21,7 +21,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    buffers.graph.build(labels, num_labels, features, distance);
+    buffers.graph.build(labels, num_labels, features, distance.withoutSurface());
     measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, RULES, buffers, regions);
     unions_ = merger.runToTheEnd();

@@ -43,7 +43,8 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! The distance of colours alone, with the weights that they have beside depth. ofSurface() is what it lacks.
+    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface() is
+    //! what it lacks. Depth says nothing from pixel to pixel: on a slanted plane it has a step at each of them.
     RegionDistance withoutSurface() const
     {
         RegionDistance distance = *this;
