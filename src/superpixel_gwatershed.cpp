@@ -256,6 +256,8 @@ public:
     float getFocalLengthY() const CV_OVERRIDE { return parameters().focal_y; }
     void setNormalWeight(float weight) CV_OVERRIDE { Change(*this)->setNormalWeight(weight); }
     float getNormalWeight() const CV_OVERRIDE { return parameters().normal_weight; }
+    void setDepthAdaptive(bool adaptive) CV_OVERRIDE { Change(*this)->depth_adaptive = adaptive; }
+    bool getDepthAdaptive() const CV_OVERRIDE { return parameters().depth_adaptive; }
     void setBorderThreshold(float threshold) CV_OVERRIDE { Change(*this)->setBorderThreshold(threshold); }
     float getBorderThreshold() const CV_OVERRIDE { return parameters().border_threshold; }
 

@@ -449,6 +449,16 @@ public:
     /** @brief The weight of normals against depth. @see setNormalWeight */
     CV_WRAP virtual float getNormalWeight() const = 0;
 
+    /** @brief Sets whether superpixels have about the same area on the surface, instead of in the image.
+    @param depth_adaptive If true, there are the more markers the farther away things are, as in @cite Weikersdorfer2012 .
+    N is still the number asked for. Default false. It acts where there are surfaces, see setFocalLength(); with a mask
+    markers are placed evenly, and with user markers it has no effect.
+
+    ![Superpixels of equal size in the image, and on the surface](pics/gwatershed_adaptive.jpg) */
+    CV_WRAP virtual void setDepthAdaptive(bool depth_adaptive) = 0;
+    /** @brief Whether superpixels have about the same area on the surface. @see setDepthAdaptive */
+    CV_WRAP virtual bool getDepthAdaptive() const = 0;
+
     /** @brief Sets the gradient from which GWATERSHED makes a pixel a border at the start (line 6 of Algorithm 1).
 
     RGWATERSHED ignores it.
