@@ -84,13 +84,14 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
     return frame;
 }
 
-//! Nearness and normals. The optical axis meets the middle of the whole image.
+//! Nearness and normals. The optical axis meets the middle of what is segmented: another place would shear space, in
+//! which planes stay planes.
 void Segmenter::addSurface(const Mat& depth, const Segmentation& result, Frame& frame)
 {
     const Parameters& parameters = result.parameters;
-    const Size size = result.labels.size();
+    const Size size = result.bounds.size();
     frame.camera.focal = parameters.focalLength(size);
-    frame.camera.center = Point2f(float(size.width - 1) / 2, float(size.height - 1) / 2) - Point2f(result.bounds.tl());
+    frame.camera.center = Point2f(float(size.width - 1) / 2, float(size.height - 1) / 2);
     const FloatRange range = { parameters.near_depth, parameters.far_depth };
     findSurface(keepInside(depth, frame.mask), range, frame.camera, surface_, frame.depth, frame.normals);
 }

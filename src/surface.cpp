@@ -15,6 +15,7 @@ const int REACH = 4;         //!< blocks over which differences are taken; less 
 const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
+const int LEVELS_OF_GAP = 64; //!< between the near end of the range and what is much nearer
 const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth.
@@ -47,42 +48,71 @@ void readRow(const Mat& depth, int y, float* to)
     }
 }
 
-//! The range of finite depths without a hundredth at each end; {0, 0} if there are not two different ones.
-template <typename T> FloatRange findRange(const Mat& depth)
+//! What depths become levels of nearness.
+struct DepthSpan
+{
+    FloatRange range;
+    bool nearer; //!< some are much nearer than the range
+};
+
+//! The range of depths without a hundredth at each end, up to infinity if some are that. Values
+//! much nearer than half of all, as a value that means "no depth", do not count. {0, 0} if there are not two depths.
+FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
+{
+    const float MUCH = 64;
+    FloatRange range = { 0, 0 };
+    nearer = false;
+    if (depths.empty())
+        return range;
+    const size_t half = depths.size() / 2, hundredth = depths.size() / 100;
+    std::nth_element(depths.begin(), depths.begin() + half, depths.end());
+    const float nearest = depths[half] / MUCH;
+    const auto kept = std::partition(depths.begin(), depths.end(), [&](float depth) { return depth < nearest; });
+    nearer = size_t(kept - depths.begin()) > hundredth;
+    if (nearer)
+        depths.erase(depths.begin(), kept);
+    range = rangeWithout(depths.size() / 100, depths);
+    if (range.first >= range.last)
+    {
+        range.first = *std::min_element(depths.begin(), depths.end());
+        range.last = *std::max_element(depths.begin(), depths.end());
+    }
+    if (has_far)
+        range.last = std::numeric_limits<float>::infinity();
+    return range.first < range.last || nearer ? range : FloatRange();
+}
+
+template <typename T> DepthSpan findSpan(const Mat& depth)
 {
     const int64 MANY = 8192, total = int64(depth.rows) * depth.cols;
     std::vector<float> values;
-    FloatRange range = { FLT_MAX, 0 };
-    for (int64 step = (total + MANY - 1) / MANY; range.first >= range.last; step = 1)
+    DepthSpan span = DepthSpan();
+    for (int64 step = (total + MANY - 1) / MANY;; step = 1)
     {
+        bool has_far = false;
         values.clear();
         visitSample(depth.size(), step, [&](int y, int x)
         {
             const float value = depthOf(depth.at<T>(y, x));
             if (isValidDepth(value))
                 values.push_back(value);
+            has_far |= isFarDepth(value);
         });
-        if (!values.empty())
-            range = rangeWithout(values.size() / 100, values);
-        if (step == 1)
-            break;
+        span.range = rangeOf(values, has_far, span.nearer);
+        if (span.range.last > 0 || step == 1)
+            return span;
     }
-    if (range.first < range.last || values.empty())
-        return range.first < range.last ? range : FloatRange();
-    range.first = *std::min_element(values.begin(), values.end());
-    range.last = *std::max_element(values.begin(), values.end());
-    return range.first < range.last ? range : FloatRange();
 }
 
-FloatRange findRange(const Mat& depth)
+DepthSpan findSpan(const Mat& depth)
 {
     switch (depth.depth())
     {
-    case CV_8U: return findRange<uchar>(depth);
-    case CV_16U: return findRange<ushort>(depth);
-    case CV_16S: return findRange<short>(depth);
-    case CV_32F: return findRange<float>(depth);
-    default: return findRange<double>(depth);
+    case CV_8U: return findSpan<uchar>(depth);
+    case CV_16U: return findSpan<ushort>(depth);
+    case CV_16S: return findSpan<short>(depth);
+    case CV_32F: return findSpan<float>(depth);
+    default: return findSpan<double>(depth);
     }
 }
 
@@ -242,15 +272,18 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     CV_TRACE_FUNCTION();
     const Size blocks((depth.cols + 1) / 2, (depth.rows + 1) / 2);
     nearness = normals = Mat();
+    DepthSpan span = { range, false };
     if (range.last <= 0)
-        range = findRange(depth);
-    if (range.last <= 0)
+        span = findSpan(depth);
+    if (span.range.last <= 0)
         return;
-    range.first = std::max(range.first, range.last / 256);
-    const double inverse_near = 1. / range.first, inverse_far = 1. / range.last;
-    const double slope = std::min((NEAREST - FARTHEST) / (inverse_near - inverse_far), LEVELS / inverse_near);
-    const NearnessScale scale = { float(NEAREST + 0.5 - slope * inverse_near), float(slope) };
-    camera.horizon = float(NEAREST - slope * inverse_near);
+    const float first = std::max(span.range.first, span.range.last <= FLT_MAX ? span.range.last / 256 : 0);
+    const int near_level = span.nearer ? NEAREST - LEVELS_OF_GAP : NEAREST;
+    const double inverse_near = 1. / first, inverse_far = 1. / span.range.last;
+    const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
+                                  LEVELS / inverse_near);
+    const NearnessScale scale = { float(near_level + 0.5 - slope * inverse_near), float(slope) };
+    camera.horizon = float(near_level - slope * inverse_near);
 
     buffers.nearness.create(depth.size(), CV_8UC1);
     buffers.inverses.create(blocks.height + 2 * REACH, blocks.width + 2 * REACH, CV_32SC1);
@@ -268,7 +301,7 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
                 readRow(depth, 2 * y + 1, lower.data());
                 scaleRow(lower.data(), depth.cols, scale, buffers.nearness.ptr(2 * y + 1));
             }
-            invertRows(upper.data(), lower.data(), blocks.width, range.first,
+            invertRows(upper.data(), lower.data(), blocks.width, first,
                        buffers.inverses.ptr<int>(y + REACH) + REACH);
         }
     });

@@ -22,7 +22,7 @@ public:
     {
         const float larger = std::max(alpha, 1 - alpha);
         color_share = cvRound(FULL_WEIGHT * alpha / larger);
-        depth_share = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
+        depth_share = beside_color = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
         const short color[4] = { short(lightness), short(chroma), short(chroma), 0 };
         for (int k = 0; k < 3; k++)
         {
@@ -112,6 +112,7 @@ public:
 
     bool with_depth, with_surfaces = false;
     int color_share, depth_share, normal_share = 0;
+    int beside_color; //!< weight of depth and normals together
     short weights[2][4]; //!< of a feature, without depth and with it
 
 private:
