@@ -133,7 +133,8 @@ inline float isDepth(float depth)
     return std::min(depth * FLT_MAX, 1.f);
 }
 
-//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has.
+//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if fewer than two have, as where
+//! depth is a lattice of single pixels.
 void invertRows(const float* upper, const float* lower, int blocks, float near_depth, int* inverses)
 {
     const float scale = NEAR_INVERSE * near_depth;
@@ -142,7 +143,7 @@ void invertRows(const float* upper, const float* lower, int blocks, float near_d
         const float a = upper[2 * x], b = upper[2 * x + 1], c = lower[2 * x], d = lower[2 * x + 1];
         const float sum = (a + b) + (c + d);
         const float count = (isDepth(a) + isDepth(b)) + (isDepth(c) + isDepth(d));
-        const float inverse = scale * count / std::max(sum, FLT_MIN);
+        const float inverse = scale * count / std::max(sum, FLT_MIN) * std::min(count - 1, 1.f); // 0 for less than two
         inverses[x] = int(std::min(inverse, float(MOST_INVERSE)));
     }
 }

@@ -321,7 +321,7 @@ TEST_P(ximgproc_GWatershed_real_inputs, depth_in_lattices_of_any_step_and_phase)
                 if (GetParam() == GWATERSHED)
                     EXPECT_TRUE(equalMats(alone, labels)) << size << ", step " << step << ", phase " << phase;
                 else
-                    EXPECT_EQ(0, labelsOfBothDepths(labels, depth))
+                    EXPECT_GE(1, labelsOfBothDepths(labels, depth)) // of hundreds
                             << size << ", step " << step << ", phase " << phase;
             }
     }

@@ -58,13 +58,14 @@ static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int 
     return std::abs(plane.depthAt(other.center.x / UNIT, other.center.y / UNIT) - other_depth);
 }
 
-//! The same with surfaces. Both planes count: at an edge of depth one of them may lead to the other region by chance.
+//! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
+//! may be wrong.
 static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& surface_a,
                            const SurfaceMean& surface_b)
 {
     if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
         return squaredDistance(a, b);
-    const int step = (depthBetween(surface_a, surface_b, b[3]) + depthBetween(surface_b, surface_a, a[3])) / 2;
+    const int step = std::min(depthBetween(surface_a, surface_b, b[3]), depthBetween(surface_b, surface_a, a[3]));
     const int depth = (distance.depth_share * step) >> 8;
     const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
     const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
