@@ -9,8 +9,8 @@ namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-//! Sums over the pixels with depth of one superpixel. Places are relative to the optical axis, in focal lengths, so that
-//! the inverse depth w of a plane with normal n is proportional to n (x, y, 1).
+//! Sums over the pixels with depth of one superpixel. Places are relative to the optical axis, in focal lengths, so
+//! that the inverse depth w of a plane with normal n is proportional to n (x, y, 1).
 struct Fit
 {
     double area, x, y, xx, xy, yy, w, xw, yw, xz, yz, z;
@@ -56,6 +56,7 @@ void measureSurfaces(const Mat& labels, int num_labels, const Mat& depth, Point2
     CV_TRACE_FUNCTION();
     const double missing = depth.depth() == CV_16U ? USHRT_MAX : 0;
     std::vector<Fit> fits(num_labels, Fit());
+    const Point2d center(0.5 * (labels.cols - 1), 0.5 * (labels.rows - 1));
     Mat row;
     for (int y = 0; y < depth.rows; y++)
     {
@@ -65,7 +66,7 @@ void measureSurfaces(const Mat& labels, int num_labels, const Mat& depth, Point2
         {
             const int label = labels.at<int>(y, x);
             if (label >= 0 && isValidDepth(depths[x]) && depths[x] != missing)
-                fits[label].add((x - 0.5 * (labels.cols - 1)) / focal.x, (y - 0.5 * (labels.rows - 1)) / focal.y, depths[x]);
+                fits[label].add((x - center.x) / focal.x, (y - center.y) / focal.y, depths[x]);
         }
     }
     positions.create(num_labels, 3, CV_32FC1);

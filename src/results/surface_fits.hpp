@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mean point, and normal of the plane that fits best, of each superpixel. focal is in pixels; the optical axis meets the
-//! middle of the image. The tables are those of SuperpixelGWatershed::getSurfaces().
+//! Mean point, and normal of the plane that fits best, of each superpixel. focal is in pixels; the optical axis meets
+//! the middle of the image. The tables are those of SuperpixelGWatershed::getSurfaces().
 void measureSurfaces(const Mat& labels, int num_labels, const Mat& depth, Point2f focal, Mat& positions, Mat& normals);
 
 }}} // namespace

@@ -87,8 +87,8 @@ private:
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
-            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH), y,
-                                            gains);
+            const int count = std::min<int>(part.count - first, RegionChoice::BATCH);
+            const int n = choice_.findGains(part.pixels + first, count, y, gains);
             for (int i = 0; i < n; i++)
             {
                 const Point p(gains[i].pixel - left, y);
