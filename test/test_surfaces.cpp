@@ -102,7 +102,7 @@ TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
     const Mat table = makePlane(900, 0, -1.2); // it comes nearer to the bottom of the image
     const Rect box(120, 70, 80, 90);
     Mat depth = table.clone(), inside = Mat::zeros(SIZE, CV_8UC1);
-    depth(box).setTo(Scalar(table.at<float>(box.br().y - 1, box.x))); // it stands on the table, and its front is upright
+    depth(box).setTo(Scalar(table.at<float>(box.br().y - 1, box.x))); // it stands on the table, its front is upright
     inside(box).setTo(Scalar(255));
     EXPECT_GT(purity(labelsOf(segment(gray(), depth, 80)), 80, inside), 0.99);
 }

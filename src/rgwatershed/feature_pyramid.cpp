@@ -19,8 +19,8 @@ static uchar meanDepth(const Feature* const* elements, int n)
     return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
 
-//! The same of four 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines over
-//! the numbers 1 to 4, and divided by 12.
+//! The same of four 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines
+//! over the numbers 1 to 4, and divided by 12.
 static inline v_uint16x8 meanDepth(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
 {
     const v_uint16x8 one = v_setall_u16(1), sum = v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d));
@@ -146,25 +146,24 @@ static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
     parallel_for_(Range(0, size.height), [&](const Range& rows)
     {
         for (int y = rows.start; y < rows.end; y++)
+        {
+            Normal* to = united.ptr<Normal>(y);
+            const int top = y * side / 2, bottom = std::min(((y + 1) * side + 1) / 2, normals.rows);
             for (int x = 0; x < size.width; x++)
             {
-                const Rect block = Rect(Point(x * side / 2, y * side / 2),
-                                        Point(((x + 1) * side + 1) / 2, ((y + 1) * side + 1) / 2)) &
-                                   Rect(Point(), normals.size());
+                const int left = x * side / 2, right = std::min(((x + 1) * side + 1) / 2, normals.cols);
                 int sum_x = 0, sum_y = 0, known = 0;
-                for (int i = block.y; i < block.br().y; i++)
-                    for (int k = block.x; k < block.br().x; k++)
+                for (int i = top; i < bottom; i++)
+                    for (const Normal *n = normals.ptr<Normal>(i) + left, *end = n + right - left; n < end; n++)
                     {
-                        const Normal& normal = normals.ptr<Normal>(i)[k];
-                        sum_x += normal.x;
-                        sum_y += normal.y;
-                        known += normal.known();
+                        sum_x += n->x;
+                        sum_y += n->y;
+                        known += n->known();
                     }
-                const int divisor = std::max(known, 1);
-                Normal& to = united.ptr<Normal>(y)[x];
-                to.x = uchar((sum_x + divisor / 2) / divisor);
-                to.y = uchar((sum_y + divisor / 2) / divisor);
+                to[x].x = uchar(known ? (sum_x + known / 2) / known : 0);
+                to[x].y = uchar(known ? (sum_y + known / 2) / known : 0);
             }
+        }
     });
 }
 

@@ -41,16 +41,18 @@ void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset
             features[k] = features_ + pixel;
             const int region = label & ~(label >> 31);
             means[k] = means_ + region;
-            if (CONTENT == SURFACE)
-                of_surfaces[k] = ofSurface(pixel, y, normals, region);
+            if (CONTENT >= PLANE)
+                of_surfaces[k] = ofSurface<CONTENT>(pixel, y, normals, region);
         }
-        v_store(squares + i, distance_.squared<CONTENT != COLOR>(features, means, v_load(of_surfaces)));
+        // Not loaded as a whole: that would wait for the four to be stored.
+        const v_int32x4 rest(of_surfaces[0], of_surfaces[1], of_surfaces[2], of_surfaces[3]);
+        v_store(squares + i, distance_.squared<CONTENT != COLOR>(features, means, rest));
     }
 }
 
 int RegionChoice::squaredDistance(int pixel, int y, int region) const
 {
-    const int of_surface = distance_.with_surfaces ? ofSurface(pixel, y, map_.normalsOfRow(y), region) : 0;
+    const int of_surface = distance_.with_surfaces ? ofSurface<SURFACE>(pixel, y, map_.normalsOfRow(y), region) : 0;
     return distance_.squared(features_[pixel], means_[region], of_surface);
 }
 
@@ -112,8 +114,10 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.with_surfaces)
+    if (distance_.with_surfaces && distance_.normal_share > 0)
         findOpen<SURFACE>(pixels, n, y, open);
+    else if (distance_.with_surfaces)
+        findOpen<PLANE>(pixels, n, y, open);
     else if (distance_.with_depth)
         findOpen<DEPTH>(pixels, n, y, open);
     else

@@ -27,8 +27,8 @@ public:
     RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                  const Regions& regions, const RegionDistance& distance, int length_price);
 
-    //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one for
-    //! each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
+    //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one
+    //! for each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
@@ -49,19 +49,21 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    //! What distances are made of: colour, depth of the region, or its surface.
-    enum Content { COLOR, DEPTH, SURFACE };
+    //! What distances are made of: colour, and the depth of the region, its plane, or its plane and its normal.
+    enum Content { COLOR, DEPTH, PLANE, SURFACE };
 
     template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
     template <Content CONTENT, typename Offset>
     void measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const;
 
-    //! What the surfaces of a pixel in row y and a region add to their distance.
-    int ofSurface(int pixel, int y, const Normal* normals, int region) const
+    //! What the surfaces of a pixel in row y, which has some normals, and of a region add to their distance.
+    template <Content CONTENT> int ofSurface(int pixel, int y, const Normal* normals, int region) const
     {
         const int x = pixel - (y + 1) * step_ - 1;
-        return distance_.ofSurface(features_[pixel], normals[x >> map_.normal_shift], means_[region],
-                                   surfaces_[region], x, y);
+        const Feature& feature = features_[pixel];
+        if (CONTENT == PLANE)
+            return distance_.ofPlane(feature, means_[region], surfaces_[region], x, y);
+        return distance_.ofSurface(feature, normals[x >> map_.normal_shift], means_[region], surfaces_[region], x, y);
     }
     int squaredDistance(int pixel, int y, int region) const;
 

@@ -43,8 +43,8 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface() is
-    //! what it lacks. Depth says nothing from pixel to pixel: on a slanted plane it has a step at each of them.
+    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface()
+    //! is what it lacks. Depth says nothing from pixel to pixel: on a slanted plane it has a step at each of them.
     RegionDistance withoutSurface() const
     {
         RegionDistance distance = *this;
@@ -57,11 +57,16 @@ public:
     //! region at its place, and its normal against that of the region; nothing of what is not known.
     int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
     {
-        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
         const int has_normal = -int(n.known() & s.known());
-        const int away = std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y));
         const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
-        return ((depth_share * away) & has_depth) + ((normal_share * turned) & has_normal);
+        return ofPlane(f, r, s, x, y) + ((normal_share * turned) & has_normal);
+    }
+
+    //! The same without normals.
+    int ofPlane(const Feature& f, const RegionMean& r, const SurfaceMean& s, int x, int y) const
+    {
+        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
+        return (depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth;
     }
 
     int operator()(const Feature& f, const RegionMean& r, int of_surface = 0) const

@@ -269,7 +269,8 @@ void SimilarMerger::findCosts(EdgeList& list) const
     {
         MergeEdge& edge = list.edges[i];
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a], surfaces[edge.b])
+        const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a],
+                                                             surfaces[edge.b])
                            : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         edge.cost = unionCost(rules, distance, light_level, a, b, edge);
