@@ -116,14 +116,36 @@ DepthSpan findSpan(const Mat& depth)
     }
 }
 
+//! Levels of 16 values, 0 where depth is missing.
+inline v_uint8x16 levelsOf(const float* values, const float* depths)
+{
+    const v_float32x4 farthest = v_setall_f32(FARTHEST), nearest = v_setall_f32(NEAREST);
+    const v_uint32x4 one = v_setall_u32(1);
+    v_int32x4 levels[4];
+    v_uint32x4 has_depth[4];
+    for (int k = 0; k < 4; k++)
+    {
+        levels[k] = v_trunc(v_min(v_max(v_load(values + 4 * k), farthest), nearest));
+        has_depth[k] = v_min(v_reinterpret_as_u32(v_load(depths + 4 * k)), one);
+    }
+    const v_uint8x16 known = v_pack(v_pack(has_depth[0], has_depth[1]), v_pack(has_depth[2], has_depth[3]));
+    return v_min(v_pack_u(v_pack(levels[0], levels[1]), v_pack(levels[2], levels[3])),
+                 v_sub_wrap(v_setzero_u8(), known));
+}
+
+//! Behind the rows is room for a multiple of 16.
 //! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
 void scaleRow(const float* depth, int cols, NearnessScale scale, uchar* nearness)
 {
-    for (int x = 0; x < cols; x++)
+    enum { STRIDE = 16 };
+    float values[STRIDE];
+    for (int x = 0; x < cols; x += STRIDE)
     {
-        const float value = scale.offset + scale.slope / std::max(depth[x], FLT_MIN);
-        const float most = std::min(depth[x] * FLT_MAX, float(NEAREST)); // 0 where depth is missing
-        nearness[x] = uchar(int(std::min(std::max(value, float(FARTHEST)), most)));
+        for (int i = 0; i < STRIDE; i++)
+            values[i] = scale.offset + scale.slope / depth[x + i];
+        uchar levels[STRIDE];
+        v_store(levels, levelsOf(values, depth + x));
+        std::copy(levels, levels + std::min<int>(cols - x, STRIDE), nearness + x);
     }
 }
 
@@ -291,7 +313,7 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     buffers.inverses.setTo(Scalar(0));
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
-        std::vector<float> upper(2 * blocks.width), lower(2 * blocks.width);
+        std::vector<float> upper(alignSize(2 * blocks.width, 16)), lower(upper.size());
         for (int y = rows.start; y < rows.end; y++)
         {
             readRow(depth, 2 * y, upper.data());
