@@ -225,8 +225,8 @@ public:
             const int n = std::min<int>(cols - first, STRIDE);
             for (int i = 0; i < n; i++)
                 stride.known[i] = -int(w[first + i] != 0);
-            findSlopes(w + first, 1, int(MOST / per_slope_x_), n, stride.slopes_x, stride.known);
-            findSlopes(w + first, step, int(MOST / per_slope_y_), n, stride.slopes_y, stride.known);
+            findSlopes(w + first, 1, int(float(MOST) / per_slope_x_), n, stride.slopes_x, stride.known);
+            findSlopes(w + first, step, int(float(MOST) / per_slope_y_), n, stride.slopes_y, stride.known);
             findLengths(w + first, &rays_x_[first], rays_y_[y], n, stride);
             for (int i = 0; i < n; i++)
             {

@@ -28,7 +28,8 @@ public:
                  const Regions& regions, const RegionDistance& distance, int length_price);
 
     //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one
-    //! for each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
+    //! for each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to
+    //! read.
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:

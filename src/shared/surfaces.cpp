@@ -45,7 +45,7 @@ static const int RAY = 4096; // the unit of rays
 static int rayOf(int center, float axis, float focal)
 {
     const float WIDEST = 2 * RAY;
-    const float away = float(center - cvRound(SurfaceMean::CENTER_UNIT * axis)) / focal;
+    const float away = float(center - cvRound(float(SurfaceMean::CENTER_UNIT) * axis)) / focal;
     return int(std::min(std::max(away * (RAY / SurfaceMean::CENTER_UNIT), -WIDEST), WIDEST));
 }
 
