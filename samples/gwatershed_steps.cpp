@@ -55,9 +55,9 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     Steps steps;
     steps.block = plan.levels.side(plan.levels.top);
 
-    gws::Padded<gws::Feature> pyramid[gws::MAX_LEVEL + 1];
-    gws::makePyramid(image, Mat(), false, plan.levels, pyramid);
-    const gws::Padded<gws::Feature>& blocks = pyramid[plan.levels.top];
+    gws::FeatureMap pyramid[gws::MAX_LEVEL + 1];
+    gws::makePyramid(frame, false, plan.levels, pyramid);
+    const gws::FeatureMap& blocks = pyramid[plan.levels.top];
 
     Mat gradient;
     std::vector<gws::MarkerBand> bands;
