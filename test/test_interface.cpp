@@ -121,6 +121,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 13, 4.5f, 0.75f);
     gws->setDepthRange(400.5f, 4000.f);
     gws->setBorderThreshold(120.f);
+    gws->setEffort(2);
     EXPECT_EQ("SuperpixelGWatershed", gws->getDefaultName());
 
     FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
@@ -134,6 +135,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     EXPECT_EQ(13, other->getRegionSize());
     EXPECT_EQ(0, other->getDesiredSuperpixels());
     EXPECT_EQ(4.5f, other->getRuler());
+    EXPECT_EQ(2, other->getEffort());
     EXPECT_EQ(0.75f, other->getAlpha());
     EXPECT_EQ(400.5f, other->getNearDepth());
     EXPECT_EQ(4000.f, other->getFarDepth());

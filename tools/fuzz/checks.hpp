@@ -33,7 +33,7 @@ bool same(const Mat& a, const Mat& b);
 //! The parameters of an object.
 struct Settings
 {
-    int algorithm, region_size, num_superpixels;
+    int algorithm, region_size, num_superpixels, effort;
     float ruler, alpha;
     bool lab_input, temporal;
     float low_value, high_value, near_depth, far_depth, border_threshold;

@@ -461,7 +461,7 @@ void Session::writeAndRead()
 //! Parameters from a file that somebody else has written.
 void Session::readNumbers()
 {
-    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input",
+    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "effort", "alpha", "lab_input",
                                   "temporal", "low_value", "high_value", "near_depth", "far_depth",
                                   "border_threshold" };
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
