@@ -155,8 +155,8 @@ class ArraysTest(unittest.TestCase):
 
 class ObjectTest(unittest.TestCase):
 
-    PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, effort=2, alpha=0.3, lab_input=True,
-                      temporal=True, depth_range=(0.4, 4.1), value_range=(-7.5, 9), border_threshold=99.5)
+    PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, effort=2, alpha=0.3,
+                      lab_input=True, temporal=True, depth_range=(0.4, 4.1), value_range=(-7.5, 9), border_threshold=99.5)
 
     def test_constructor(self):
         gws = gwatershed.SuperpixelGWatershed()
