@@ -31,11 +31,18 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     return levels;
 }
 
+//! Regions of pixels have no place in a video, which moves those of blocks along.
+static const EffortRules& effortRules(const Parameters& parameters)
+{
+    const int MOST_OF_VIDEO = 2;
+    return effortRules(parameters.temporal ? std::min(parameters.effort, MOST_OF_VIDEO) : parameters.effort);
+}
+
 static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
 {
     const double fewest_blocks =
             !frame.markers.empty() ? DBL_MAX : fewestBlocks(frame.num_pixels, frame.num_superpixels, parameters.ruler,
-                                                            effortRules(parameters.effort));
+                                                            effortRules(parameters));
     return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks)
                               : chooseLevels(masks, frame.num_superpixels, fewest_blocks);
 }
@@ -48,7 +55,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
 {
-    const EffortRules& effort = effortRules(parameters.effort);
+    const EffortRules& effort = effortRules(parameters);
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
     const int top = levels.top;
@@ -58,7 +65,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, effort);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
-    merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty() && !parameters.temporal;
+    merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
                                 : num_superpixels;
     band_height = floodBandHeight(blocks, num_superpixels);
