@@ -24,6 +24,9 @@ using cv::Scalar;
 using cv::Size;
 using cv::ximgproc::SuperpixelGWatershed;
 
+//! From here on OpenCV does not print the exceptions that it throws.
+void silenceErrors();
+
 //! Ends the program with a message if a property does not hold.
 void require(bool holds, const char* property);
 
