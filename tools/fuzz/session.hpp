@@ -11,7 +11,6 @@
 namespace fuzz
 {
 
-
 //! Makes an object and calls it as the bytes say. Every call must do what it is documented to do, or, where an
 //! argument is wrong, throw cv::Exception and change nothing.
 class Session
