@@ -27,6 +27,7 @@ static const char* const KEYS =
     "{r ruler        | 10  | compactness }"
     "{e effort       | 1   | from 0, the fastest, to 3, the best }"
     "{a alpha        | 0.5 | weight of colour against depth }"
+    "{f focal        | 0   | focal length of the depth camera in pixels; 0: 0.8 of the longer side of the image }"
     "{n iterations   | 1   | number of iterations }";
 
 static Mat drawContours(const Mat& image, const SuperpixelGWatershed& gws)
@@ -159,6 +160,7 @@ int main(int argc, char** argv)
     const int num_superpixels = parser.get<int>("superpixels"), iterations = parser.get<int>("iterations");
     const float alpha = parser.get<float>("alpha"), ruler = parser.get<float>("ruler");
     const int region_size = parser.get<int>("region_size"), effort = parser.get<int>("effort");
+    const float focal = parser.get<float>("focal");
     if (!parser.check())
     {
         parser.printErrors();
@@ -183,6 +185,7 @@ int main(int argc, char** argv)
             Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size, ruler);
             gws->setEffort(effort);
             gws->setAlpha(alpha);
+            gws->setFocalLength(focal);
             if (num_superpixels > 0)
                 gws->setDesiredSuperpixels(num_superpixels);
             segmentFile(image, depth, *gws, iterations, output);

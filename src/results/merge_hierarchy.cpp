@@ -10,7 +10,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
-void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
+void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels)
 {
     CV_TRACE_FUNCTION();
@@ -18,7 +18,7 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    buffers.graph.build(labels, num_labels, features, distance);
+    buffers.graph.build(labels, num_labels, features, distance.withoutSurface());
     measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, MERGE_BY_VARIANCES, buffers, regions);
     unions_ = merger.runToTheEnd();

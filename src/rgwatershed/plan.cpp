@@ -31,18 +31,20 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     return levels;
 }
 
-//! Regions of pixels have no place in a video, which moves those of blocks along.
-static const EffortRules& effortRules(const Parameters& parameters)
+//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals, because
+//! pixels have none.
+static const EffortRules& effortRules(const Frame& frame, const Parameters& parameters)
 {
-    const int MOST_OF_VIDEO = 2;
-    return effortRules(parameters.temporal ? std::min(parameters.effort, MOST_OF_VIDEO) : parameters.effort);
+    const int MOST_ON_BLOCKS = 2;
+    const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
+    return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
 }
 
 static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
 {
     const double fewest_blocks =
             !frame.markers.empty() ? DBL_MAX : fewestBlocks(frame.num_pixels, frame.num_superpixels, parameters.ruler,
-                                                            effortRules(parameters));
+                                                            effortRules(frame, parameters));
     return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks)
                               : chooseLevels(masks, frame.num_superpixels, fewest_blocks);
 }
@@ -51,11 +53,11 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
       merge_rules(mergeRules(ruler)), pixel_merge_rules(pixelMergeRules(ruler)),
-      flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
+      flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
-      sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
+      sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
-    const EffortRules& effort = effortRules(parameters);
+    const EffortRules& effort = effortRules(frame, parameters);
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
     const int top = levels.top;
@@ -64,6 +66,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
                              : frame.num_superpixels;
     markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, effort);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
+    depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
+    merge_rules.on_surface = depth_adaptive;
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))

@@ -29,6 +29,7 @@ struct Plan
     int num_regions;        //!< that merging leaves there: more if those of pixels are merged, too
     bool merges_pixels;
     int markers_per_superpixel, num_markers;
+    bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
     MergeRules merge_rules, pixel_merge_rules;

@@ -12,6 +12,11 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Divides the image into a grid of num_markers cells and places one marker in each. num_markers <= pixels.
 void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
 
+//! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
+//! cell. Of equal ones the nearest to the centre, then the first in raster order. It lies in the cell, so no two
+//! markers are at the same place.
+Point findMarker(const Mat& gradient, const Rect& cell);
+
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
 {
