@@ -350,15 +350,14 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers | 0.8 | 0.067 |
+    | 0 | fewer markers | 0.85 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
     | 3 | up to ten markers, and the last regions are merged when their boundaries are settled to the pixel | 3 | 0.060 |
 
-    Time is relative. UE is the undersegmentation error of 400 superpixels on the 200 photographs of BSDS500's train
-    split. More iterations do not lower it, but raise the boundary recall. With depth, and in temporal mode, 3 is the
-    same as 2; a frame after a change of the effort starts from the beginning if the size of the blocks changes. With user markers
-    it has no effect. */
+    Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
+    With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
+    of the blocks changes. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
