@@ -43,6 +43,8 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
             tracker_.start(plan, features_[top], labels_[top], regions_);
     }
     settle(frame, plan, num_iterations);
+    if (plan.merges_pixels)
+        mergePixels(frame, plan);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top]);
@@ -88,7 +90,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan)
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
+    mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
                         regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
         merge_buffers_ = MergeBuffers();
@@ -121,7 +123,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         SweepRules rules = plan.sweep;
         if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have no normals of their own
-        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
+        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1 && !plan.merges_pixels;
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
@@ -157,6 +159,20 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
         regions_.resize(num_regions);
         measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
     }
+}
+
+//! Where time matters least: the last unions are chosen when boundaries are settled, by what varies inside of regions,
+//! too. This follows what people see more than any number of smaller blocks.
+void RGWatershed::mergePixels(const Frame& frame, const Plan& plan)
+{
+    CV_TRACE_FUNCTION();
+    const Mat labels = labels_[0].view(CV_32SC1);
+    measureRegions(features_[0], labels, regions_);
+    measureSquares(features_[0], labels, plan.flood_distance, regions_.size(), merge_buffers_.squares);
+    mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
+                        merge_buffers_, labels_[0], regions_);
+    merge_buffers_.squares.clear();
+    sweepers_[0].sweepAll(features_[0], plan.sweep, labels_[0], regions_);
 }
 
 //! Each iteration after the first moves pixels where that explains the colours better.

@@ -33,6 +33,7 @@ private:
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
+    void mergePixels(const Frame& frame, const Plan& plan);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;

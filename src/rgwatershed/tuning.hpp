@@ -43,7 +43,25 @@ static const float SURFACE_TRUST = 2, NORMAL_SCALE = 1.3f;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
-static const double PRICE_BEFORE_MERGING = 2.5, PRICE = 22;
+static const double PRICE = 22;
+
+//! What the effort that the user sets stands for: how fine the flood starts, and what is merged where.
+struct EffortRules
+{
+    double blocks_for_side, most_blocks; //!< for each superpixel at least so many, by its side in pixels, up to a limit
+    int markers;                 //!< for each superpixel, at most
+    double price_before_merging; //!< of boundary
+    double regions_on_pixels;    //!< for each superpixel: so many are settled to the pixels, and merged there
+};
+
+inline const EffortRules& effortRules(int effort)
+{
+    static const EffortRules RULES[] = { { 0.6, 12, 2, 2.5, 1 },
+                                         { 1, 12, 4, 2.5, 1 },
+                                         { 2.4, 45, 8, 10, 1 },
+                                         { 2.4, 45, 10, 10, 3 } };
+    return RULES[effort];
+}
 
 //! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
 inline int floodBandHeight(double blocks, int num_superpixels)
@@ -67,19 +85,30 @@ inline MergeRules mergeRules(float ruler)
     return rules;
 }
 
+//! The last merging where there is one of pixels: by variances, and with the compactness that the ruler asks for.
+inline MergeRules pixelMergeRules(float ruler)
+{
+    MergeRules rules = MERGE_BY_VARIANCES;
+    rules.length = cvRound(double(rules.length) * mergeRules(ruler).length / mergeRules(10).length);
+    return rules;
+}
+
 //! How many blocks a number of superpixels must keep: more if their boundary may be irregular, fewer where superpixels
 //! are small, because a smaller block is not much better than what the sweeps of pixels make of it.
-inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler)
+inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, const EffortRules& effort)
 {
-    const double MOST = 12; // for each superpixel; else the length of its side in pixels
     const double side = std::sqrt(double(num_pixels) / num_superpixels);
-    return num_superpixels * std::min(side, MOST) * (2 - std::min(ruler / 10, 1.f));
+    return num_superpixels * std::min(effort.blocks_for_side * side, effort.most_blocks) *
+           (2 - std::min(ruler / 10, 1.f));
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
-inline int markersPerSuperpixel(double blocks_per_superpixel)
+inline int markersPerSuperpixel(double blocks_per_superpixel, const EffortRules& effort)
 {
-    return blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3 : 4;
+    const int BLOCKS_FOR_MARKER = 5;
+    const int markers = blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3
+                      : std::max(4, int(std::min(blocks_per_superpixel / BLOCKS_FOR_MARKER, 1e6)));
+    return std::min(markers, effort.markers);
 }
 
 //! Sweeps of the blocks that were flooded.

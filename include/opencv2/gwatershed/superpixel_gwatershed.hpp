@@ -345,6 +345,23 @@ public:
     /** @brief The compactness. @see setRuler */
     CV_WRAP virtual float getRuler() const = 0;
 
+    /** @brief Sets how much time RGWATERSHED takes for better superpixels.
+    @param effort 0, 1, 2 or 3; default 1. GWATERSHED ignores it.
+
+    | effort | flood and merging | time | UE |
+    |---|---|---|---|
+    | 0 | fewer markers | 0.85 | 0.068 |
+    | 1 | as the class documentation says | 1 | 0.064 |
+    | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
+    | 3 | up to ten markers, and the last regions are merged when their boundaries are settled to the pixel | 3 | 0.060 |
+
+    Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
+    With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
+    of the blocks changes. With user markers effort has no effect. */
+    CV_WRAP virtual void setEffort(int effort = 1) = 0;
+    /** @brief The effort. @see setEffort */
+    CV_WRAP virtual int getEffort() const = 0;
+
     /** @brief Sets the weight of colour against depth, equation (3) of the paper.
     @param alpha In [0, 1], in steps of 1/256: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D. 1 is colour
     alone, 0 is depth alone where there is depth. Default 0.5, as in the paper; take less where colour misleads.
