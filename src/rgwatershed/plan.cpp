@@ -31,8 +31,8 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     return levels;
 }
 
-//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals, because
-//! pixels have none.
+//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals,
+//! because pixels have none.
 static const EffortRules& effortRules(const Frame& frame, const Parameters& parameters)
 {
     const int MOST_ON_BLOCKS = 2;

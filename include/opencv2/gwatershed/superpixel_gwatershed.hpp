@@ -353,7 +353,7 @@ public:
     | 0 | fewer markers | 0.85 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
-    | 3 | up to ten markers, and the last regions are merged when their boundaries are settled to the pixel | 3 | 0.060 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
     With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
