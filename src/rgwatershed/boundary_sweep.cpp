@@ -55,9 +55,10 @@ struct ClassRows
 class BoundarySweeper::Wave
 {
 public:
-    Wave(const RegionChoice& choice, const SweepRules& rules, Padded<int>& labels, BoundarySweeper& sweeper,
-         Moves& moves)
-        : table_(maskTable()), choice_(choice), rules_(rules), labels_(labels), sweeper_(sweeper), moves_(moves)
+    Wave(const RegionChoice& choice, const SweepRules& rules, const Regions& regions, Padded<int>& labels,
+         BoundarySweeper& sweeper, Moves& moves)
+        : table_(maskTable()), choice_(choice), rules_(rules), sums_(regions.sums.data()), labels_(labels),
+          sweeper_(sweeper), moves_(moves)
     {
     }
 
@@ -96,7 +97,7 @@ private:
 
     bool permits(Point p, int to) const
     {
-        return (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
+        return sums_[to].area <= rules_.most_area && (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
                (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
@@ -145,6 +146,7 @@ private:
     const MaskTable& table_;
     const RegionChoice& choice_;
     const SweepRules& rules_;
+    const RegionSum* const sums_;
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
     Moves& moves_;
@@ -232,12 +234,12 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
         const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
         listOf(band).begin(rows.start, size_t(rows.size()) * marks_.size().width);
         list(rows, listOf(band));
-        Wave(choice, rules, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
+        Wave(choice, rules, regions, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
     };
     const auto sweepAbove = [&](int band)
     {
         const ClassRows rows = ClassRows::between(band * BAND_HEIGHT, height);
-        Wave(choice, rules, labels, *this, moves_[num_bands + band - 1]).run(rows);
+        Wave(choice, rules, regions, labels, *this, moves_[num_bands + band - 1]).run(rows);
     };
     parallel_for_(Range(0, int(lists_.size())), [&](const Range& groups)
     {

@@ -57,6 +57,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(level), masks.components(level))
                              : frame.num_superpixels;
     num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
+    markers_in_cell = num_markers == num_superpixels * MARKERS_PER_SUPERPIXEL ? MARKERS_PER_SUPERPIXEL : 1;
+    most_area = frame.markers.empty() ? MOST_AREA * frame.num_pixels / frame.num_superpixels : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
     sweep.length_price = boundaryPrice(PRICE, side, ruler);
@@ -65,6 +67,18 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
     return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+}
+
+int Plan::usualFloodArea(double num_blocks, int num_markers_there)
+{
+    return int(USUAL_FLOOD_AREA * num_blocks / num_markers_there);
+}
+
+SweepRules Plan::sweepOn(int some_level) const
+{
+    SweepRules rules = sweep;
+    rules.most_area = int(std::min(most_area, double(INT_MAX))) >> 2 * some_level;
+    return rules;
 }
 
 }}} // namespace

@@ -21,11 +21,16 @@ struct Plan
 
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
     int floodRuler(double num_blocks, int num_markers_there) const;
+    //! The area of a region of it that is not larger than usual.
+    static int usualFloodArea(double num_blocks, int num_markers_there);
+    //! The rules of sweeps on a level after merging.
+    SweepRules sweepOn(int some_level) const;
 
     int level;              //!< of the pyramid, whose blocks are flooded; 0 for markers of the user
     double blocks;          //!< of that level, inside of the mask
     int num_superpixels;    //!< that merging leaves on that level
-    int num_markers;
+    int num_markers, markers_in_cell; //!< of a grid; 1 if not all cells have as many
+    double most_area;       //!< of a superpixel that gains pixels
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
     MergeRules merge_rules;

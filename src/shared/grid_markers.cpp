@@ -45,47 +45,88 @@ static int divide(int length, int i, int n)
     return int(int64(length) * i / n);
 }
 
-//! Number of rows of a grid of n cells that are nearly square.
+//! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken, so that
+//! cells lie one below the other and a transposed image has the transposed grid.
 static int countRows(Size size, int n)
 {
+    const double MOST_STRETCHED = 0.08;
     const int fewest = (n + size.width - 1) / size.width; // rows, at least, for n cells
-    const int square = cvRound(std::sqrt(double(n) * size.height / size.width));
-    return std::max(fewest, std::min(square, std::min(size.height, n)));
+    const int most = std::min(size.height, n);
+    const double square = std::sqrt(double(n) * size.height / size.width);
+    int best = std::max(fewest, std::min(cvRound(square), most));
+    double least = MOST_STRETCHED;
+    for (int rows = std::max(fewest, cvCeil(square / (1 + least))); rows <= std::min(most, cvFloor(square * (1 + least)));
+         rows++)
+    {
+        const double stretched = std::max(rows / square, square / rows) - 1;
+        if (n % rows != 0 || stretched >= least)
+            continue;
+        best = rows;
+        least = stretched;
+    }
+    return best;
 }
 
-void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands)
+MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
+    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_)), parts(1, 1)
 {
-    const int rows = countRows(size, num_markers);
-    bands.clear();
-    for (int i = 0, first = 0; i < rows; i++)
+    int height = int(std::sqrt(double(markers_in_cell)));
+    while (markers_in_cell % height != 0)
+        height--;
+    const Size wanted(markers_in_cell / height, height);
+    if (size.height / rows >= wanted.height && size.width / ((num_cells + rows - 1) / rows) >= wanted.width)
     {
-        const int top = divide(size.height, first, rows), bottom = divide(size.height, i + 1, rows);
-        if (i + 1 < rows && std::min(bottom - top, size.height - bottom) < height)
+        parts = wanted;
+        return;
+    }
+    num_cells *= markers_in_cell;
+    rows = countRows(size, num_cells);
+}
+
+void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands)
+{
+    const int in_cell = grid.parts.area();
+    bands.clear();
+    for (int i = 0, first = 0; i < grid.rows; i++)
+    {
+        const int top = divide(grid.size.height, first, grid.rows);
+        const int bottom = divide(grid.size.height, i + 1, grid.rows);
+        if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
-        const MarkerBand band = { Range(top, bottom),
-                                  Range(divide(num_markers, first, rows), divide(num_markers, i + 1, rows)) };
+        const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
+                                                            in_cell * divide(grid.num_cells, i + 1, grid.rows)) };
         bands.push_back(band);
         first = i + 1;
     }
 }
 
-//! Rows of cells may differ by one cell.
-void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers)
+//! One marker in each part of a cell.
+static void placeInCell(const Mat& gradient, const Rect& cell, Size parts, Point* markers)
+{
+    for (int i = 0; i < parts.height; i++)
+        for (int k = 0; k < parts.width; k++)
+        {
+            const Point first(divide(cell.width, k, parts.width), divide(cell.height, i, parts.height));
+            const Point last(divide(cell.width, k + 1, parts.width), divide(cell.height, i + 1, parts.height));
+            *markers++ = findMarker(gradient, Rect(cell.tl() + first, cell.tl() + last));
+        }
+}
+
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers)
 {
     CV_TRACE_FUNCTION();
-    const Size size = gradient.size();
-    const int rows = countRows(size, num_markers);
-    markers.resize(num_markers);
-    parallel_for_(Range(0, rows), [&](const Range& range)
+    markers.resize(grid.numMarkers());
+    parallel_for_(Range(0, grid.rows), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
         {
-            const int first = divide(num_markers, i, rows), last = divide(num_markers, i + 1, rows);
-            const int top = divide(size.height, i, rows), bottom = divide(size.height, i + 1, rows);
+            const int first = divide(grid.num_cells, i, grid.rows), last = divide(grid.num_cells, i + 1, grid.rows);
+            const int top = divide(grid.size.height, i, grid.rows), bottom = divide(grid.size.height, i + 1, grid.rows);
             for (int k = first, left = 0, right; k < last; k++, left = right)
             {
-                right = divide(size.width, k - first + 1, last - first);
-                markers[k] = findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
+                right = divide(grid.size.width, k - first + 1, last - first);
+                placeInCell(gradient, Rect(Point(left, top), Point(right, bottom)), grid.parts,
+                            markers.data() + k * grid.parts.area());
             }
         }
     });

@@ -9,8 +9,21 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Divides the image into a grid of num_markers cells and places one marker in each. num_markers <= pixels.
-void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+//! A grid of cells, nearly square, whose rows differ by at most one cell. Each cell has the same number of parts, with
+//! a marker in each. Markers have consecutive numbers in a cell.
+struct MarkerGrid
+{
+    //! At most one marker for each pixel. If cells are too small for so many parts, there are as many cells as markers.
+    MarkerGrid(Size size, int num_cells, int markers_in_cell);
+
+    int numMarkers() const { return num_cells * parts.area(); }
+
+    Size size;      //!< of the image
+    int num_cells, rows;
+    Size parts;     //!< of each cell
+};
+
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
@@ -26,7 +39,7 @@ inline MarkerBand wholeBand(Size size, int num_markers)
 }
 
 //! Divides the grid into bands of whole rows of cells, each at least `height` pixels high if the image is.
-void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace
 

@@ -14,6 +14,12 @@ namespace cv { namespace ximgproc { namespace gws {
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
 static const uint64 NO_PRICE = ~uint64(0);
 
+// Squared distance that counts as none, in 1/256 of a squared level. Where colours are as even as that, regions of a cell
+// of the grid of markers are united first, so that superpixels are the cells.
+enum { NOISE = 4 * 256, NOISE_IN_CELL = NOISE / 16 };
+
+enum { EXCESS = 8 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
+
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
 static inline int logarithm(float value)
 {
@@ -54,15 +60,18 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l its
 //! length, L the lightness of the means, m that of the union:
 //!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness
+//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness max(1, (n1 + n2) / usual area)^8
 //! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
-//! It is the same for both orders of the regions.
+//! Without the last one, what holds both colours of a pattern is nearer to all around it than these are to each other,
+//! and takes in one after the other. It is the same for both orders of the regions.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
-                            const MergeRegion& b, const MergeEdge& edge)
+                            const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
+    const int noise = (edge.a ^ edge.b) < rules.in_cell ? int(NOISE_IN_CELL) : int(NOISE);
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
-    return rules.distance * logarithm(float(squared_distance + 4 * 256)) +
+    return rules.distance * logarithm(float(squared_distance + noise)) +
+           EXCESS * std::max(0, log_union - log_usual_area) +
            rules.areas * (a.log_area + b.log_area - log_union) +
            rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
@@ -88,20 +97,43 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& r
     start();
 }
 
+//! Sets the area that is usual when so many regions are left.
+void SimilarMerger::expect(int num_regions)
+{
+    log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_) / float(num_regions)));
+}
+
 void SimilarMerger::run(int num_regions)
 {
+    expect(num_regions);
     while (num_left_ > num_regions && runRound(num_regions, false))
         b_.graph.relabel(b_.parents, b_.changed);
+}
+
+//! The two highest bits: how many regions there are, so roughly that costs are taken anew a few times only.
+static int leadingBits(int n)
+{
+    int lowest = 1;
+    while (n / lowest >= 4)
+        lowest *= 2;
+    return n / lowest * lowest;
 }
 
 std::vector<Vec2i> SimilarMerger::runToTheEnd()
 {
     std::vector<Vec2i> unions;
+    int expected = leadingBits(num_left_);
+    expect(expected);
     while (runRound(1, true))
     {
         for (size_t i = 0; i < b_.chosen.size(); i++)
             unions.push_back(Vec2i(b_.chosen[i].from, b_.chosen[i].to));
         b_.graph.relabel(b_.parents, b_.changed);
+        if (leadingBits(num_left_) == expected)
+            continue;
+        expected = leadingBits(num_left_);
+        expect(expected);
+        b_.graph.forgetCosts();
     }
     return unions;
 }
@@ -109,6 +141,9 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
 void SimilarMerger::start()
 {
     const int n = regions_.size();
+    area_ = 0;
+    for (int i = 0; i < n; i++)
+        area_ += regions_.sums[i].area;
     b_.records.resize(n);
     b_.parents.resize(n);
     b_.changed.resize(n);
@@ -196,7 +231,7 @@ void SimilarMerger::findCosts(EdgeList& list) const
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
         const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
-        edge.cost = unionCost(rules, distance, light_level, a, b, edge);
+        edge.cost = unionCost(rules, distance, light_level, a, b, edge, log_usual_area_);
     }
 }
 
@@ -280,6 +315,7 @@ void SimilarMerger::choose(size_t count)
 
 //! Each region may go into its best neighbour, also if it is not the best one of that, the cheapest first, unless one
 //! of them went before, or the first one took in others. What many want to go into stays, so that no round does little.
+//! What took in so many that it is larger than usual takes in no more.
 void SimilarMerger::chooseOneSided(double share, size_t most)
 {
     const int MANY = 16;
@@ -298,12 +334,17 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
 
     enum { GONE = 1, TOOK = 2 };
     std::vector<uchar> states(regions_.size(), 0);
+    std::vector<float> areas(regions_.size(), 0.f); // of what took in others
     b_.chosen.clear();
     for (size_t i = 0; i < wishes.size() && b_.chosen.size() < most; i++)
     {
         const MergePair& wish = wishes[i];
         if (votes[wish.from] > MANY || states[wish.from] != 0 || states[wish.to] == GONE)
             continue;
+        const float area = std::max(areas[wish.to], b_.records[wish.to].area) + b_.records[wish.from].area;
+        if (states[wish.to] == TOOK && logarithm(area) > log_usual_area_)
+            continue;
+        areas[wish.to] = area;
         states[wish.from] = GONE;
         states[wish.to] = TOOK;
         b_.chosen.push_back(wish);

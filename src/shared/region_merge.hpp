@@ -18,6 +18,8 @@ struct MergeRules
     int length;     //!< of the boundary: long ones make it cheap
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
+    float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
+    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid, a power of 2; 0 or 1: none do
 };
 
 //! What the cost of a union reads of a region.
@@ -77,6 +79,7 @@ public:
 
 private:
     void start();
+    void expect(int num_regions);
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
@@ -92,6 +95,8 @@ private:
 
     const RegionDistance distance_;
     const MergeRules rules_;
+    int64 area_;        // of all regions
+    int log_usual_area_; // above it, unions are expensive
     MergeBuffers& b_;
     Regions& regions_;
     int num_left_;
