@@ -9,7 +9,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 80, 48, 56, 40, 64, 3, 0 };
+static const MergeRules RULES = { 64, 80, 48, 56, 40, 64, 2.6f, 4 * 256, 0 };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).

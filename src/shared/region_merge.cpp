@@ -14,9 +14,9 @@ namespace cv { namespace ximgproc { namespace gws {
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
 static const uint64 NO_PRICE = ~uint64(0);
 
-// Squared distance that counts as none, in 1/256 of a squared level. Where colours are as even as that, regions of a cell
-// of the grid of markers are united first, so that superpixels are the cells.
-enum { NOISE = 4 * 256, NOISE_IN_CELL = NOISE / 16 };
+// What is added to the squared distance of regions of the same cell, in 1/256 of a squared level, instead of the noise.
+// So these are united first where colours are even, and superpixels are the cells of the grid there.
+enum { NOISE_IN_CELL = 4 };
 
 enum { EXCESS = 8 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
@@ -59,7 +59,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
 //! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l its
 //! length, L the lightness of the means, m that of the union:
-//!     (d^2 + 4)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
+//!     (d^2 + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness max(1, (n1 + n2) / usual area)^8
 //! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
 //! Without the last one, what holds both colours of a pattern is nearer to all around it than these are to each other,
@@ -67,7 +67,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
                             const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
-    const int noise = (edge.a ^ edge.b) < rules.in_cell ? int(NOISE_IN_CELL) : int(NOISE);
+    const int noise = (edge.a ^ edge.b) < rules.in_cell ? int(NOISE_IN_CELL) : rules.noise;
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
     return rules.distance * logarithm(float(squared_distance + noise)) +

@@ -19,6 +19,7 @@ struct MergeRules
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
     float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
+    int noise;      //!< a squared distance that means little, in 1/256 of a squared level
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid, a power of 2; 0 or 1: none do
 };
 
