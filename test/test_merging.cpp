@@ -51,6 +51,10 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
         }
     for (int i = 0; i < n; i++)
         means[i] /= areas[i];
+    int few = 1; // n, with zeros for all but the two highest bits, is few * (n / few)
+    while (n / few >= 4)
+        few *= 2;
+    const double usual_area = std::max(1., 2.6 * double(image.total()) / (n / few * few));
     std::map<std::pair<int, int>, double> costs;
     std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)
@@ -63,7 +67,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
                           0.75 * (straightLog(e->second.second + l) - straightLog(l)) -
                           0.875 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                           0.625 * straightLog(2 * std::abs(d[0]) + 1) -
-                          (straightLog(light + 16 * (na + nb)) - straightLog(na + nb));
+                          (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
+                          8 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
     }
     return costs;
 }

@@ -7,8 +7,8 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
-//! cell. Of equal ones the nearest to the centre, then the first in raster order. It lies in the cell, so no two
-//! markers are at the same place.
+//! cell. Of equal ones the nearest to the centre, then to that of the image, so that a mirrored image has the mirrored
+//! ones. It lies in the cell, so no two markers are at the same place.
 //! @note The paper asks for local minima of the gradient and gives no rule.
 static Point findMarker(const Mat& gradient, const Rect& cell)
 {
@@ -27,7 +27,9 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
         {
             if (row[x] > smallest)
                 continue;
-            const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y, away = dx * dx + dy * dy;
+            const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y;
+            const int64 from_middle = std::abs(2 * x + 1 - gradient.cols) + std::abs(2 * y + 1 - gradient.rows);
+            const int64 away = ((dx * dx + dy * dy) << 32) + from_middle;
             if (row[x] < smallest || away < nearest)
             {
                 best = Point(x, y);
@@ -43,6 +45,12 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
 static int divide(int length, int i, int n)
 {
     return int(int64(length) * i / n);
+}
+
+//! The same limit for lengths of an image: halves lie away from its middle, so that a mirrored one has the same limits.
+static int divideEvenly(int length, int i, int n)
+{
+    return int((2 * int64(length) * i + n - (2 * i < n)) / (2 * n));
 }
 
 //! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken, so that
@@ -89,8 +97,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     bands.clear();
     for (int i = 0, first = 0; i < grid.rows; i++)
     {
-        const int top = divide(grid.size.height, first, grid.rows);
-        const int bottom = divide(grid.size.height, i + 1, grid.rows);
+        const int top = divideEvenly(grid.size.height, first, grid.rows);
+        const int bottom = divideEvenly(grid.size.height, i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
@@ -100,16 +108,23 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     }
 }
 
-//! One marker in each part of a cell.
-static void placeInCell(const Mat& gradient, const Rect& cell, Size parts, Point* markers)
+//! Places the markers of a row of cells, number first..last-1.
+static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int first, int last, Point* markers)
 {
+    const Size parts = grid.parts;
+    const int columns = (last - first) * parts.width;
     for (int i = 0; i < parts.height; i++)
-        for (int k = 0; k < parts.width; k++)
+    {
+        const int part_row = row * parts.height + i;
+        const int top = divideEvenly(grid.size.height, part_row, grid.rows * parts.height);
+        const int bottom = divideEvenly(grid.size.height, part_row + 1, grid.rows * parts.height);
+        for (int k = 0, left = 0, right; k < columns; k++, left = right)
         {
-            const Point first(divide(cell.width, k, parts.width), divide(cell.height, i, parts.height));
-            const Point last(divide(cell.width, k + 1, parts.width), divide(cell.height, i + 1, parts.height));
-            *markers++ = findMarker(gradient, Rect(cell.tl() + first, cell.tl() + last));
+            right = divideEvenly(grid.size.width, k + 1, columns);
+            markers[(first + k / parts.width) * parts.area() + i * parts.width + k % parts.width] =
+                    findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
         }
+    }
 }
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers)
@@ -119,16 +134,8 @@ void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<P
     parallel_for_(Range(0, grid.rows), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-        {
-            const int first = divide(grid.num_cells, i, grid.rows), last = divide(grid.num_cells, i + 1, grid.rows);
-            const int top = divide(grid.size.height, i, grid.rows), bottom = divide(grid.size.height, i + 1, grid.rows);
-            for (int k = first, left = 0, right; k < last; k++, left = right)
-            {
-                right = divide(grid.size.width, k - first + 1, last - first);
-                placeInCell(gradient, Rect(Point(left, top), Point(right, bottom)), grid.parts,
-                            markers.data() + k * grid.parts.area());
-            }
-        }
+            placeInRow(gradient, grid, i, divide(grid.num_cells, i, grid.rows),
+                       divide(grid.num_cells, i + 1, grid.rows), markers.data());
     });
 }
 
