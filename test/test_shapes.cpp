@@ -127,9 +127,11 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
             const Mat labels = superpixels(Mat(size, CV_8UC1, Scalar(128)), region_size);
             const Vec2d areas = extremeAreas(labels);
             EXPECT_GE(compactness(labels), 0.68) << size << ", " << region_size;
-            // At 14, a superpixel has 12 blocks, and one that does not lie in the rows of the others may lose most.
-            EXPECT_GE(areas[0], region_size == 14 ? 0. : 0.5) << size << ", " << region_size;
-            EXPECT_LE(areas[1], region_size == 14 ? 2.5 : 1.5) << size << ", " << region_size;
+            // A superpixel has 12 blocks at 14, 18 at 17: then cells differ, and one where rows of cells do not fit
+            // together may lose most of its blocks.
+            const bool coarse = region_size == 14 || region_size == 17;
+            EXPECT_GE(areas[0], region_size == 14 ? 0. : coarse ? 0.46 : 0.6) << size << ", " << region_size;
+            EXPECT_LE(areas[1], region_size == 14 ? 2. : coarse ? 1.67 : 1.5) << size << ", " << region_size;
 
             const Mat merged = superpixels(Mat(size, CV_8UC1, Scalar(128)), region_size, 10, MERGED);
             EXPECT_GE(compactness(merged), 0.54) << size << ", " << region_size;
