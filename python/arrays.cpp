@@ -65,18 +65,31 @@ static cv::Mat headerOf(const py::array& values, int depth, int channels)
     return cv::Mat(height, width, CV_MAKETYPE(depth, channels), const_cast<void*>(values.data()), step);
 }
 
-//! Integers that a matrix cannot have become double.
-static py::array narrow(const py::array& values)
+static bool isInteger(const py::array& values)
 {
-    const char kind = values.dtype().kind();
-    if ((kind == 'i' || kind == 'u') && depthOf(values.dtype()) < 0)
-        return py::array(values.attr("astype")("float64"));
-    return values;
+    return values.dtype().kind() == 'i' || values.dtype().kind() == 'u';
+}
+
+//! Integers as another type that has those of up to some bits and a sign.
+static py::array convertIntegers(const py::array& values, const char* type, int bits, const char* name)
+{
+    const py::int_ end(int64_t(1) << bits);
+    if (values.size() != 0 && (py::int_(values.attr("min")()) < -end || py::int_(values.attr("max")()) >= end))
+        throw py::value_error(std::string(name) + " must have integers from -2**" + std::to_string(bits) + " to 2**" +
+                              std::to_string(bits) + " - 1");
+    return py::array(values.attr("astype")(type));
+}
+
+//! Integers that a matrix cannot have become double, which must hold them.
+static py::array narrow(const py::array& values, const char* name)
+{
+    const bool is_too_wide = isInteger(values) && depthOf(values.dtype()) < 0;
+    return is_too_wide ? convertIntegers(values, "float64", 53, name) : values;
 }
 
 static Pixels takeValues(py::array values, const char* name)
 {
-    values = narrow(values);
+    values = narrow(values, name);
     const int depth = depthOf(values.dtype());
     if (depth < 0)
         throw py::value_error(std::string(name) + " must not be of the type " + textOf(values.dtype()));
@@ -107,6 +120,15 @@ Pixels takeMask(const OptionalArray& array)
         return Pixels();
     const py::array values = array.values;
     return takeValues(values.dtype().kind() == 'b' ? py::array(values.attr("view")("uint8")) : values, "mask");
+}
+
+Pixels takeMarkers(const OptionalArray& array)
+{
+    if (array.values.is_none())
+        return Pixels();
+    const py::array values = array.values;
+    const bool is_other = isInteger(values) && depthOf(values.dtype()) != CV_32S;
+    return takeValues(is_other ? convertIntegers(values, "int32", 31, "markers") : values, "markers");
 }
 
 cv::Mat takeOutput(const py::object& array, const char* name)

@@ -39,6 +39,8 @@ Pixels takePixels(const Array& array, const char* name);
 Pixels takePixels(const OptionalArray& array, const char* name);
 //! The same; bool is taken, too.
 Pixels takeMask(const OptionalArray& array);
+//! The same; integers of any type become int32. Throws ValueError where they do not fit.
+Pixels takeMarkers(const OptionalArray& array);
 
 //! The header of an array of the caller that an output is to be written to; empty where there is none.
 cv::Mat takeOutput(const py::object& array, const char* name);

@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "errors.hpp"
 #include "parameters.hpp"
+#include "arguments.hpp"
 #include "results/statistics.hpp"
 
 #include <opencv2/core/utility.hpp>
@@ -168,7 +169,7 @@ void setMask(Session& session, const OptionalArray& mask)
 
 void setMarkers(Session& session, const OptionalArray& markers)
 {
-    const Pixels pixels = takePixels(markers, "markers");
+    const Pixels pixels = takeMarkers(markers);
     session.call([&](SuperpixelGWatershed& superpixels) { superpixels.setMarkers(pixels.matrix); });
 }
 
@@ -181,14 +182,9 @@ py::tuple measure(const Array& labels, int num_labels, const OptionalArray& imag
     {
         py::gil_scoped_release released;
         CV_CheckTypeEQ(map.matrix.type(), CV_32SC1, "labels must be of the type int32");
-        CV_Check(pixels.matrix.size(), pixels.matrix.empty() || pixels.matrix.size() == map.matrix.size(),
-                 "image must have the size of labels");
-        CV_Check(depths.matrix.size(), depths.matrix.empty() || depths.matrix.size() == map.matrix.size(),
-                 "depth must have the size of labels");
-        const int type = depths.matrix.type();
-        CV_CheckType(type, depths.matrix.empty() || type == CV_8UC1 || type == CV_16UC1 || type == CV_32FC1,
-                     "depth must be of the type uint8, uint16 or float32, with one channel");
-        cv::ximgproc::gws::measureSuperpixels(map.matrix, num_labels, pixels.matrix, depths.matrix, stats, centroids,
+        const Mat values = cv::ximgproc::gws::checkValues(pixels.matrix, map.matrix.size());
+        const Mat checked_depth = cv::ximgproc::gws::checkDepth(depths.matrix, map.matrix.size());
+        cv::ximgproc::gws::measureSuperpixels(map.matrix, num_labels, values, checked_depth, stats, centroids,
                                               mean_colors, mean_depths);
     }
     return py::make_tuple(giveArray(stats), giveArray(centroids), giveArray(mean_colors), giveArray(mean_depths));
@@ -234,7 +230,7 @@ void bindSteps(SessionClass& to)
     }, py::arg("min_area"), "Merges superpixels of fewer pixels into a neighbour.");
     to.def("setMask", setMask, py::arg("mask"), "Restricts the segmentation; bool or uint8. None: no mask.");
     to.def("setMarkers", setMarkers, py::arg("markers"),
-           "Sets the markers that superpixels grow from; int32. None: no markers.");
+           "Sets the markers that superpixels grow from; integers of 32 bits. None: no markers.");
 }
 
 //! What the class has from cv::Algorithm, and what pickle and copy need: a copy has the parameters, and nothing else.

@@ -53,11 +53,11 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     frame.num_superpixels = num_superpixels;
     const gws::Plan plan(frame, gws::Parameters(), gws::MaskPyramid());
     Steps steps;
-    steps.block = 1 << plan.level;
+    steps.block = plan.levels.side(plan.levels.top);
 
     gws::Padded<gws::Feature> pyramid[gws::MAX_LEVEL + 1];
-    gws::makePyramid(image, Mat(), false, plan.level, pyramid);
-    const gws::Padded<gws::Feature>& blocks = pyramid[plan.level];
+    gws::makePyramid(image, Mat(), false, plan.levels, pyramid);
+    const gws::Padded<gws::Feature>& blocks = pyramid[plan.levels.top];
 
     Mat gradient;
     std::vector<gws::MarkerBand> bands;
@@ -76,7 +76,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::BoundarySweeper sweeper;
     gws::MergeBuffers merge_buffers;
     sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
-    sweeper.sweepAgain(gws::SWEEPS_BEFORE_MERGING - 1, blocks, plan.sweep_before_merging, labels, regions);
+    sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
     gws::mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.merge_rules, merge_buffers, labels,
                              regions);
     steps.merged = labels.view(CV_32SC1).clone();
@@ -156,7 +156,7 @@ int main(int argc, char** argv)
         std::cerr << "Cannot read " << file << std::endl;
         return 1;
     }
-    const int largest_block = 1 << gws::MAX_LEVEL; // all blocks are whole ones
+    const int largest_block = 12; // so that all blocks are whole ones
     image = image(Rect(0, 0, image.cols / largest_block * largest_block, image.rows / largest_block * largest_block));
     const Rect part = wanted & Rect(Point(), image.size());
     if (part.area() == 0 || num_superpixels < 1 || num_superpixels > int(image.total()))

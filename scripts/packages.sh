@@ -21,12 +21,17 @@ clean=$chroots/$release
 logs=$cache/package-logs
 mkdir -p "$logs"
 
+# Runs one of the ways of README's block of installing, as it stands there, in the folder of the repository.
+run_readme() { # NUMBER
+    inside $release ln -sfn /build /gwatershed/build # kept from the last time
+    inside $release sh -ec "cd /gwatershed
+        sudo() { \"\$@\"; }
+        export CMAKE_BUILD_PARALLEL_LEVEL=$(nproc)
+        $(grep "  *# $1\. " "$root/README.md")"
+}
+
 make_packages() {
-    inside $release rm -rf /build/packages
-    inside $release cmake -S /gwatershed -B /build -DCMAKE_BUILD_TYPE=Release -DBUILD_PYTHON=ON -DBUILD_SAMPLES=OFF &&
-    inside $release cmake --build /build --parallel "$(nproc)" &&
-    inside $release sh -c 'cd /build && cpack -B /build/packages && rm -rf packages/_CPack_Packages &&
-        ls -l packages/*.deb'
+    inside $release sh -c 'rm -f /build/*.deb' && run_readme 2 && inside $release sh -c 'ls -l /build/*.deb'
 }
 
 # All files but the notes of dpkg, apt and ldconfig.
@@ -105,7 +110,7 @@ say "making the packages"
 check "packages" make_packages
 make_program
 list_files >"$logs/before"
-check "install" inside $release sh -c 'apt-get install -y --no-install-recommends /build/packages/*.deb'
+check "install" inside $release sh -c 'apt-get install -y --no-install-recommends /build/*.deb'
 check "a program, by CMake" builds_by_cmake
 check "a program, by pkg-config" builds_by_pkg_config
 check "another OpenCV is refused" refuses_another_opencv
@@ -115,4 +120,16 @@ check "the command" runs_command
 check "purge" inside $release sh -c 'apt-get purge -y $(dpkg-query -W -f "\${Package} " "*gwatershed*")'
 list_files >"$logs/after"
 check "nothing is left" diff "$logs/before" "$logs/after"
+
+# The library by CMake, without packages.
+inside $release sed -i 's/gwatershed 99.0/gwatershed 0.1/' /user/CMakeLists.txt
+inside $release rm -rf /user/build
+check "installed by CMake" run_readme 3
+inside $release ldconfig
+check "a program, by CMake, of what CMake installed" builds_by_cmake
+check "a program, by pkg-config, of what CMake installed" builds_by_pkg_config
+check "uninstalled" inside $release cmake --build /build --target uninstall
+inside $release ldconfig
+list_files >"$logs/after"
+check "nothing is left of what CMake installed" diff "$logs/before" "$logs/after"
 finish

@@ -87,7 +87,16 @@ copy_samples() { # RELEASE
     [ -d "$chroots/$1/data" ] || as_root cp -r "$data" "$chroots/$1/data"
 }
 
-# The code of the documents is built against the installed module.
+# All presets, as far as CMake itself can say.
+takes_presets() { # RELEASE
+    local preset
+    for preset in $(sed -n '/configurePresets/,/buildPresets/s/.*"name": "\(.*\)".*/\1/p' "$root/CMakePresets.json"); do
+        inside "$1" sh -c 'cd /gwatershed && cmake --preset "$1" -B "/tmp/$1"' sh "$preset" || return 1
+    done
+}
+
+# The code of the documents is built against the installed module, by projects that ask for C++11 only: where OpenCV
+# needs more, the target of the module must ask for it.
 run_documents() { # RELEASE
     local document folder
     check "$1: install" inside "$1" cmake --install /build --prefix /installed
@@ -99,8 +108,8 @@ run_documents() { # RELEASE
         as_root rm -rf "$chroots/$1/blocks"
         as_root cp -r "$folder" "$chroots/$1/blocks"
         check "$1: $document: C++" inside "$1" env OPENCV_SAMPLES_DATA_PATH=/data sh -c \
-            'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed && cmake --build build &&
-             build/superpixels'
+            'cd /blocks && cmake -S . -B build -DCMAKE_PREFIX_PATH=/installed -DCMAKE_CXX_STANDARD=11 &&
+             cmake --build build && build/superpixels'
     done
     check "$1: pkg-config" inside "$1" sh -c 'cd /blocks &&
         export PKG_CONFIG_PATH=$(dirname "$(find /installed -name gwatershed.pc)") &&
@@ -108,9 +117,25 @@ run_documents() { # RELEASE
         LD_LIBRARY_PATH=/build ./by-pkg-config'
 }
 
+# README's line for pip in a fresh environment, with an index of what is needed: the packages of the release as wheels.
+# Of the programs that an index has, ninja is no package of Python here; make does it.
+installs_from_index() { # RELEASE
+    inside "$1" sh -ec "rm -rf /index /fresh
+        /gwatershed/scripts/wheel_index.py /index pybind11 scikit-build-core packaging pathspec numpy
+        python3 -m venv /fresh
+        cd /gwatershed
+        export PATH=/fresh/bin:\$PATH PIP_INDEX_URL=file:///index CMAKE_GENERATOR='Unix Makefiles'
+        $(grep '^pip install' "$root/README.md")
+        pip check
+        cd /
+        python -c 'import gwatershed, numpy
+print(gwatershed.segment(numpy.zeros((40, 60, 3), numpy.uint8), 20).max(), gwatershed.__file__)' | grep '^5 /fresh'"
+}
+
 # The package is installed as doc/installing.markdown says, and the code there runs.
 run_python() { # RELEASE
     local blocks=$place/blocks/doc/installing.markdown
+    check "$1: pip install with an index" installs_from_index "$1"
     check "$1: pip install" inside "$1" sh -ec "rm -rf /gwatershed/venv; cd /gwatershed
         $(grep venv "$blocks/superpixels.sh" | grep -v 'apt-get\|python3-venv')"
     as_root cp "$blocks/superpixels.py" "$chroots/$1/installing.py"
@@ -133,6 +158,7 @@ run_release() { # RELEASE
     copy_inside "$1" /gwatershed
     logs=$place/logs/$1
     mkdir -p "$logs"
+    check "$1: presets" takes_presets "$1"
     check "$1: build" build_there "$1"
     check "$1: no warning" sh -c '! grep "warning:" "$1"' sh "$logs/$1:-build.log"
     run_tests "$1"

@@ -70,6 +70,11 @@ Mat checkValues(InputArray input, Size size)
         return Mat();
     const Mat image = takeMatrix(input, "image");
     CV_CheckEQ(image.size(), size, "image must have the size of the label map");
+#ifdef CV_64S // since OpenCV 5
+    const int depth = image.depth();
+    CV_CheckDepth(depth, depth != CV_64S && depth != CV_64U,
+                  "image must not be of 64-bit integers, of which double has only 53 bits; convert it to CV_64F");
+#endif
     return image;
 }
 

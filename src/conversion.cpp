@@ -162,12 +162,17 @@ private:
 template <typename T> void scaleRow(const Mat& row, FloatRange range, Mat& values, Mat& scaled)
 {
     const T low = range.first, high = range.last;
-    row.convertTo(values, DataType<T>::depth);
+    const bool as_it_is = row.depth() == DataType<T>::depth;
+    if (as_it_is)
+        values.create(row.size(), row.type());
+    else
+        row.convertTo(values, DataType<T>::depth);
+    const T* from = as_it_is ? row.ptr<T>() : values.ptr<T>();
     T* to = values.ptr<T>();
     const int count = values.cols * values.channels();
     for (int x = 0; x < count; x++)
     {
-        const T value = to[x] > low ? to[x] : low;
+        const T value = from[x] > low ? from[x] : low;
         to[x] = (value < high ? value : high) - low;
     }
     values.convertTo(scaled, CV_8U, 255 / (double(high) - low));

@@ -6,6 +6,7 @@
 #include "shared/valid_depth.hpp"
 
 #include <limits>
+#include <type_traits>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -39,14 +40,19 @@ public:
         std::copy(pieces, pieces + 3, pieces_);
     }
 
+    bool isStraight() const { return num_pieces_ == 1; }
+
     uchar operator()(float depth) const
     {
-        const float value = std::min(std::max(depth, pieces_[0].first), last_);
+        const float value = clip(depth);
         int i = 0;
         while (i + 1 < num_pieces_ && value >= pieces_[i + 1].first)
             i++;
-        return uchar(pieces_[i].level + 0.5 + pieces_[i].slope * (value - pieces_[i].first));
+        return levelOf(value, pieces_[i]);
     }
+
+    //! The same for a straight scale.
+    uchar onlyPiece(float depth) const { return levelOf(clip(depth), pieces_[0]); }
 
 private:
     struct Piece
@@ -54,6 +60,14 @@ private:
         float first;
         double level, slope;
     };
+
+    float clip(float depth) const { return std::min(std::max(depth, pieces_[0].first), last_); }
+
+    static uchar levelOf(float value, const Piece& piece)
+    {
+        return uchar(piece.level + 0.5 + piece.slope * (value - piece.first));
+    }
+
     Piece pieces_[3];
     int num_pieces_;
     float last_;
@@ -146,7 +160,7 @@ private:
     bool has_far_ = false;
 };
 
-//! Extrema of all measured depths, as levels or depths; {0, 0} if there is none.
+//! Extrema of all measured depths; {0, 0} if there is none.
 template <typename T> FloatRange findExtrema(const Mat& depth)
 {
     FloatRange range = { FLT_MAX, 0 };
@@ -163,7 +177,8 @@ template <typename T> FloatRange findExtrema(const Mat& depth)
     return range.last > 0 ? range : FloatRange();
 }
 
-template <typename T> void scaleRows(const Mat& depth, const DepthScale& scale, Mat& scaled)
+//! Writes levelOf(depth) of all depths that were measured, and what stands for the others.
+template <typename T, typename LevelOf> void scaleRows(const Mat& depth, LevelOf levelOf, Mat& scaled)
 {
     parallel_for_(Range(0, depth.rows), [&](const Range& rows)
     {
@@ -172,9 +187,30 @@ template <typename T> void scaleRows(const Mat& depth, const DepthScale& scale, 
             const T* from = depth.ptr<T>(y);
             uchar* to = scaled.ptr(y);
             for (int x = 0; x < depth.cols; x++)
-                to[x] = isValidDepth(from[x]) ? scale(float(from[x])) : uchar(isFarDepth(from[x]) ? FARTHEST : 0);
+                to[x] = isValidDepth(from[x]) ? levelOf(from[x]) : uchar(isFarDepth(from[x]) ? FARTHEST : 0);
         }
     });
+}
+
+//! Floats.
+template <typename T> void scaleAll(const Mat& depth, const DepthScale& scale, Mat& scaled, std::false_type)
+{
+    if (scale.isStraight()) // a loop of its own, which compilers vectorise
+        scaleRows<T>(depth, [&](T value) { return scale.onlyPiece(float(value)); }, scaled);
+    else
+        scaleRows<T>(depth, [&](T value) { return scale(float(value)); }, scaled);
+}
+
+//! Integers. Where there are fewer values than pixels, the level of each is found once.
+template <typename T> void scaleAll(const Mat& depth, const DepthScale& scale, Mat& scaled, std::true_type)
+{
+    const int last = std::numeric_limits<T>::max();
+    if (int64(depth.rows) * depth.cols <= last)
+        return scaleAll<T>(depth, scale, scaled, std::false_type());
+    std::vector<uchar> levels(last + 1);
+    for (int value = 0; value <= last; value++)
+        levels[value] = scale(float(value));
+    scaleRows<T>(depth, [&](T value) { return levels[value]; }, scaled);
 }
 
 //! The scale of a frame. Depths that are equal become 1, so that those that are infinite differ from them.
@@ -195,7 +231,25 @@ template <typename T> DepthScale findScale(const Mat& depth)
 
 template <typename T> void scaleToBytes(const Mat& depth, FloatRange range, Mat& scaled)
 {
-    scaleRows<T>(depth, range.last > 0 ? DepthScale(range) : findScale<T>(depth), scaled);
+    scaleAll<T>(depth, range.last > 0 ? DepthScale(range) : findScale<T>(depth), scaled,
+                std::integral_constant<bool, std::numeric_limits<T>::is_integer>());
+}
+
+//! Whether there are two levels.
+bool tellsApart(const Mat& scaled)
+{
+    uchar first = 0;
+    for (int y = 0; y < scaled.rows; y++)
+    {
+        const uchar* row = scaled.ptr(y);
+        for (int x = 0; x < scaled.cols; x++)
+        {
+            if (first && row[x] && row[x] != first)
+                return true;
+            first = std::max(first, row[x]);
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -221,8 +275,7 @@ Mat scaleDepth(const Mat& depth, FloatRange range, Mat& buffer)
     case CV_32F: scaleToBytes<float>(depth, range, buffer); break;
     default: scaleToBytes<double>(depth, range, buffer);
     }
-    const FloatRange found = findExtrema<uchar>(buffer);
-    return found.first < found.last ? buffer : Mat();
+    return tellsApart(buffer) ? buffer : Mat();
 }
 
 }}} // namespace

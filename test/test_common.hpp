@@ -8,12 +8,15 @@
 #include "test_precomp.hpp"
 
 #include <functional>
+#include <limits>
 
 namespace opencv_test
 {
 
 //! The algorithms that every property is asked of.
 const int ALGORITHMS[] = { GWATERSHED, RGWATERSHED };
+
+const float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN(), INFINITE = std::numeric_limits<float>::infinity();
 
 //! Whether a call throws a cv::Exception whose message has a word.
 testing::AssertionResult isRefused(const std::function<void()>& call, const String& word);

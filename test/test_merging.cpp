@@ -14,7 +14,7 @@ typedef testing::TestWithParam<int> ximgproc_GWatershed_merging;
 Vec3d opponentColor(const Vec3b& c)
 {
     const int b = c[0], g = c[1], r = c[2];
-    return Vec3d(0.5 * ((r + 2 * g + b + 2) / 4), (r - g + 256) / 2, (r + g - 2 * b + 514) / 4);
+    return Vec3d(7. / 16 * ((r + 2 * g + b + 2) / 4), (r - g + 256) / 2, (r + g - 2 * b + 514) / 4);
 }
 
 //! A logarithm to base 2 that is straight between the powers of two, as merging takes it.
@@ -30,6 +30,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
+    std::vector<double> variances(n, 0.);
     std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -37,6 +38,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
             const Vec3d color = opponentColor(image.at<Vec3b>(y, x));
             areas[labels.at<int>(y, x)]++;
             means[labels.at<int>(y, x)] += color;
+            variances[labels.at<int>(y, x)] += color.dot(color);
             for (int k = 0; k < 2; k++)
             {
                 const Point q(x + (k == 0), y + (k == 1));
@@ -50,7 +52,10 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
             }
         }
     for (int i = 0; i < n; i++)
+    {
         means[i] /= areas[i];
+        variances[i] = std::max(variances[i] / areas[i] - means[i].dot(means[i]), 0.);
+    }
     int few = 1; // n, with zeros for all but the two highest bits, is few * (n / few)
     while (n / few >= 4)
         few *= 2;
@@ -61,13 +66,15 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
     {
         const double na = areas[e->first.first], nb = areas[e->first.second], l = e->second.first;
         const Vec3d d = means[e->first.first] - means[e->first.second];
-        const double light = 2 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // halved above
-        costs[e->first] = straightLog(d.dot(d) + 4) +
-                          1.25 * (straightLog(na) + straightLog(nb) - straightLog(na + nb)) +
-                          0.75 * (straightLog(e->second.second + l) - straightLog(l)) -
-                          0.875 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
-                          0.625 * straightLog(2 * std::abs(d[0]) + 1) -
-                          (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
+        const double va = variances[e->first.first], vb = variances[e->first.second], v = va + vb + 16;
+        const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
+        costs[e->first] = straightLog(64 * d.dot(d) + v) - straightLog(v) +
+                          1.3 * (straightLog(na) + straightLog(nb) - straightLog(na + nb)) +
+                          0.97 * (straightLog(e->second.second + l) - straightLog(l)) -
+                          1.02 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                          0.84 * straightLog(16 * std::abs(d[0]) + 7) -
+                          0.87 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
+                          0.61 * straightLog(std::max(va, vb) + 8) +
                           8 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
     }
     return costs;

@@ -60,7 +60,7 @@ createSuperpixelGWatershed(Width image_width, Height image_height, Channels imag
 @brief Makes an object for an image, as createSuperpixelSLIC() does.
 
 @param image Image to segment; a copy is kept for SuperpixelGWatershed::iterate(int).
-@param algorithm One of #GWatershedType, or 0 for the default.
+@param algorithm One of #GWatershedType. 0 is taken for None of Python, which is depth that is not there.
 @param region_size Mean side of a superpixel in pixels. See SuperpixelGWatershed::setRegionSize.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.
 */

@@ -14,17 +14,19 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
             start_label: int = 0, bgr: bool = False, **parameters: Any) -> Any:
     """Divides an image into superpixels and returns their labels, int32.
 
-    image: height x width, or with 1, 3 or 4 channels as third dimension; uint8, uint16, or a float from 0 to 1. Three
+    image: height x width, or with 1 to 4 channels as third dimension; integers or floats, whatever their range. Three
         channels are RGB, as scikit-image, Pillow and imageio read them; see bgr.
     region_size: side of a superpixel in pixels; 10 if neither this nor num_superpixels is given.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
-    depth: depth map of the same size, uint16, float or uint8; 0, NaN and infinity are missing.
+    depth: depth map of the same size, uint16, int16, float or uint8. 0, what is below, NaN and 65535 of uint16 are
+        missing; infinity is far.
     mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
     markers: integers, positive ones are markers that superpixels grow from.
     num_iterations: more of them follow the image better.
     start_label: label of the first superpixel. regionprops() of scikit-image needs 1.
     bgr: whether three channels are BGR, as cv2.imread() gives them.
-    parameters: others of SuperpixelGWatershed, as ruler=10, alpha=0.5, lab_input=False, depth_range=(0.4, 4).
+    parameters: others of SuperpixelGWatershed, as ruler=10, alpha=0.5, lab_input=False, value_range=(0, 4095),
+        depth_range=(0.4, 4).
     """
     if region_size is not None and num_superpixels is not None:
         raise ValueError("give region_size or num_superpixels, not both")
@@ -34,8 +36,8 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         parameters["num_superpixels"] = num_superpixels
     gws = SuperpixelGWatershed(**parameters)
     gws.setMask(_inside(mask))
-    gws.setMarkers(_int32(markers, "markers"))
-    gws.iterate(_colors(image, bgr or gws.getLabInput()), _single(depth), num_iterations)
+    gws.setMarkers(_optional(markers))
+    gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth), num_iterations)
     labels = gws.getLabels()
     if start_label:
         labels += np.int32(start_label)
@@ -56,8 +58,7 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
-    colors = None if image is None else _measurable(image)
-    stats, centroids, mean_colors, mean_depths = _measure(numbers, len(names), colors, _single(depth))
+    stats, centroids, mean_colors, mean_depths = _measure(numbers, len(names), _optional(image), _optional(depth))
     channels = () if mean_colors is None else (mean_colors.shape[1],)
     table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None))
     if len(names) == 0:
@@ -100,17 +101,9 @@ def _compact(labels: Any, start_label: int) -> Any:
     return names[first:], numbers
 
 
-def _single(values: Any) -> Any:
-    """float64 as float32."""
-    if values is None:
-        return None
-    values = np.asarray(values)
-    return values.astype(np.float32) if values.dtype == np.float64 else values
-
-
 def _colors(image: Any, as_they_are: bool) -> Any:
     """The image in the order of the channels that the class takes."""
-    image = _single(_array(image))
+    image = _array(image)
     if image.ndim == 3 and image.shape[2] in (3, 4) and not as_they_are:
         return image[:, :, 2::-1]
     return image
@@ -122,26 +115,14 @@ def _array(image: Any) -> Any:
     return np.asarray(image)
 
 
-def _measurable(image: Any) -> Any:
-    """Integers of types that the class does not measure as float64."""
-    image = np.asarray(image)
-    if image.dtype.kind == "b" or (image.dtype.kind in "iu" and image.dtype.itemsize >= 4 and image.dtype != np.int32):
-        return image.astype(np.float64)
-    return image
+def _optional(values: Any) -> Any:
+    """An array, or None. bool becomes 0 and 1."""
+    if values is None:
+        return None
+    values = np.asarray(values)
+    return values.view(np.uint8) if values.dtype == bool else values
 
 
 def _inside(mask: Any) -> Any:
     """A mask as bool."""
     return None if mask is None else np.asarray(mask) != 0
-
-
-def _int32(values: Any, name: str) -> Any:
-    """Integers of any type as int32."""
-    if values is None:
-        return None
-    values = np.asarray(values)
-    if values.dtype.kind not in "biu":
-        raise ValueError("%s must be integers, not %s" % (name, values.dtype))
-    if values.size and not -2**31 <= int(values.min()) <= int(values.max()) < 2**31:
-        raise ValueError("%s must fit 32 bits" % name)
-    return values.astype(np.int32, copy=False)

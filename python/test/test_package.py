@@ -64,6 +64,19 @@ class ArraysTest(unittest.TestCase):
         odd[:] = image
         self.assert_same_labels(odd, image)
 
+    def test_copies_only_what_it_must(self):
+        """Peak memory, each in a program of its own: a picture of 48 MB counts once more where it is copied."""
+        program = ("import sys, numpy as np, gwatershed\n"
+                   "wide = np.zeros((4000, 4000, 4), np.uint8)\n"
+                   "image = np.lib.stride_tricks.as_strided(wide, (4000, 4000, 3), (12016, 3, 1))\n"
+                   "gws = gwatershed.SuperpixelGWatershed(region_size=40)\n"
+                   "gwatershed.setNumThreads(1)\n"
+                   "gws.iterate(image[:, :, ::int(sys.argv[1])])\n"
+                   "print(next(line.split()[1] for line in open('/proc/self/status') if 'VmHWM' in line))\n")
+        peak = [int(subprocess.run([sys.executable, "-c", program, step], stdout=subprocess.PIPE, check=True).stdout)
+                for step in ("1", "-1")]
+        self.assertGreater(peak[1] - peak[0], 40000)
+
     def test_images_are_not_written_to(self):
         image = make_image()
         image.flags.writeable = False
@@ -98,6 +111,24 @@ class ArraysTest(unittest.TestCase):
             gws.iterate(image)
             np.testing.assert_array_equal(gws.getLabels() >= 0, inside)
 
+    def test_integers_of_64_bits(self):
+        image = make_image()
+        gws = gwatershed.createSuperpixelGWatershed(image)
+        markers = np.zeros(image.shape[:2], np.int64)
+        markers[3, 4], markers[40, 60] = 5, 2**31 - 1
+        gws.setMarkers(markers)
+        gws.iterate()
+        self.assertEqual(gws.getNumberOfSuperpixels(), 2)
+        self.assertRaisesRegex(ValueError, "must be CV_32SC1", gws.setMarkers, markers / 2)
+        markers[3, 4] = 2**31
+        self.assertRaisesRegex(ValueError, "markers must have integers", gws.setMarkers, markers)
+        for dtype, most in ((np.int64, 2**53 - 1), (np.uint64, 2**53 - 1), (np.uint32, 2**32 - 1)):
+            values = np.full(image.shape[:2], most, dtype)
+            np.testing.assert_array_equal(gws.getStatistics(values, None)[2], np.full((2, 1), most, np.float32))
+        for dtype in (np.int64, np.uint64):
+            values = np.full(image.shape[:2], 2**53, dtype)
+            self.assertRaisesRegex(ValueError, "image must have integers", gws.getStatistics, values, None)
+
     def test_outputs_into_arrays(self):
         image = make_image()
         gws = gwatershed.createSuperpixelGWatershed(image)
@@ -125,7 +156,7 @@ class ArraysTest(unittest.TestCase):
 class ObjectTest(unittest.TestCase):
 
     PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, alpha=0.3, lab_input=True,
-                      temporal=True, depth_range=(0.4, 4.1), border_threshold=99.5)
+                      temporal=True, depth_range=(0.4, 4.1), value_range=(-7.5, 9), border_threshold=99.5)
 
     def test_constructor(self):
         gws = gwatershed.SuperpixelGWatershed()
@@ -188,6 +219,10 @@ class ObjectTest(unittest.TestCase):
                 (RuntimeError, "^There is no image: call iterate", gwatershed.SuperpixelGWatershed().iterate)):
             with self.assertRaisesRegex(kind, text):
                 call()
+
+    def test_needs_no_cv2(self):
+        program = "import sys, gwatershed; sys.exit('cv2' in sys.modules)"
+        self.assertEqual(subprocess.run([sys.executable, "-c", program], check=False).returncode, 0)
 
     def test_lack_of_memory(self):
         program = ("import resource, numpy, gwatershed\n"
@@ -301,6 +336,11 @@ class FunctionsTest(unittest.TestCase):
             self.assertRaises(ValueError, gwatershed.superpixels, wrong)
         self.assertRaises(ValueError, gwatershed.superpixels, labels, np.zeros((3, 3)))
         self.assertRaises(ValueError, gwatershed.superpixels, labels, None, np.zeros((3, 3)))
+        for kind in (np.int16, np.float64):
+            depth = np.array([[2, 4, -3, 6], [1, 1, 0, 6]], kind)
+            np.testing.assert_array_equal(gwatershed.superpixels(labels, None, depth)["mean_depth"], [3, 1, 6])
+        colors = gwatershed.superpixels(labels, labels == 5)["mean_color"]
+        np.testing.assert_array_equal(colors[:, 0], [0, 1, 0])
 
     @needs("skimage")
     def test_with_scikit_image(self):

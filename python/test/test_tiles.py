@@ -10,7 +10,10 @@ import contextlib
 import importlib.util
 import io
 import os
+import shutil
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -21,6 +24,9 @@ from unittest import mock
 import numpy as np
 
 import gwatershed
+
+
+SLOW = 20  # iterations, where a run is to be stopped half way
 
 
 def has(*names):
@@ -156,6 +162,19 @@ class ResultTest(TilesCase):
         self.assertGreater(explained_variation(labels, self.image), explained_variation(expected, self.image) - 0.01)
 
 
+    def test_leaves_alone_what_is_not_its_own(self):
+        kept = self.path("folder")
+        os.mkdir(kept)
+        for output in (kept, self.path("image.zarr")):
+            with self.assertRaisesRegex(ValueError, "output must"):
+                self.run_tiles(output)
+            self.assertTrue(os.path.isdir(output))
+        gwatershed.setNumThreads(2)
+        for scheduler in ("threads", "single-threaded"):
+            self.run_tiles(scheduler=scheduler, tile_size=640)
+            self.assertEqual(gwatershed.getNumThreads(), 2)
+
+
 class StoppedTest(TilesCase):
 
     def stop_after(self, tiles, also_forget):
@@ -188,30 +207,94 @@ class StoppedTest(TilesCase):
         with self.assertRaisesRegex(ValueError, "other parameters"):
             self.run_tiles(ruler=3)
 
-    @unittest.skipUnless(has("distributed"), "needs distributed")
-    def test_a_killed_worker_changes_nothing(self):
-        from dask.distributed import Client, LocalCluster
-        _, expected = self.run_tiles()
-        with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None,
-                          silence_logs=50) as cluster, Client(cluster) as client:
-            killed = []
-            thread = threading.Thread(target=self.kill_a_worker, args=(client, killed))
-            thread.start()
-            _, labels = self.run_tiles(scheduler=client)
-            thread.join()
-        self.assertEqual(len(killed), 1)
-        np.testing.assert_array_equal(labels, expected)
+    def test_refuses_to_go_on_with_another_image(self):
+        self.stop_after(3, False)
+        time.sleep(0.01)
+        shutil.rmtree(self.path("image.zarr"))
+        self.write_zarr("image.zarr", self.image[::-1])
+        with self.assertRaisesRegex(ValueError, "another image"):
+            self.run_tiles()
 
-    def kill_a_worker(self, client, killed):
-        pids = list(client.run(os.getpid).values())
-        counts = self.path("labels.zarr.part/counts")
-        for _ in range(20000):
-            with contextlib.suppress(Exception):
-                if 2 <= (zarr.open(counts, mode="r")[:] >= 0).sum() < 14:
-                    os.kill(pids[0], signal.SIGKILL)
-                    killed.append(pids[0])
-                    return
-            time.sleep(0.001)
+    def test_a_killed_command_goes_on(self):
+        _, expected = self.run_tiles(num_iterations=SLOW)
+        for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)):
+            call = [sys.executable, "-m", "gwatershed.tiles.command", "image.zarr", "killed.zarr", "--workers", "1",
+                    "--region-size", "10", "--tile-size", "160", "--iterations", str(SLOW)]
+            process = subprocess.Popen(call, cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            self.assertTrue(when_half_way(self.path("killed.zarr.part"), lambda: process.send_signal(number)))
+            _, errors = process.communicate()
+            self.assertEqual(process.returncode, code)
+            self.assertEqual(b"the same command goes on" in errors, code == 130)
+            with mock.patch.object(work, "_segment", wraps=work._segment) as calls:
+                _, labels = self.run_tiles("killed.zarr", num_iterations=SLOW, ruler=10)
+            self.assertLess(calls.call_count, 16)
+            np.testing.assert_array_equal(labels, expected)
+
+
+def when_half_way(store, act):
+    """Acts once when some tiles are done and others are not; says whether that was seen."""
+    for _ in range(20000):
+        with contextlib.suppress(Exception):
+            done = zarr.open(os.path.join(store, "counts"), mode="r")[:] >= 0
+            if done.any():
+                if not done.all():
+                    act()
+                return not done.all()
+        time.sleep(0.001)
+    return False
+
+
+@unittest.skipUnless(has("distributed"), "needs distributed")
+class ClusterTest(TilesCase):
+    """A scheduler and two workers, each a process of its own that starts in another folder."""
+
+    def start(self, program, *arguments):
+        process = subprocess.Popen([sys.executable, "-m", "distributed.cli." + program, *arguments, "--no-dashboard"],
+                                   cwd=self.path("elsewhere"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def setUp(self):
+        super().setUp()
+        from dask.distributed import Client
+        os.mkdir(self.path("elsewhere"))
+        file = self.path("scheduler.json")
+        self.start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", file)
+        self.workers = [self.start("dask_worker", "--scheduler-file", file, "--nthreads", "1", "--no-nanny")
+                        for _ in range(2)]
+        with Client(scheduler_file=file, timeout=60) as client:
+            client.wait_for_workers(2, timeout=60)
+            self.address = client.scheduler.address
+
+    def run_command(self, *more):
+        output = io.StringIO()
+        here = os.getcwd()
+        os.chdir(self.folder.name)
+        try:
+            with contextlib.redirect_stdout(output):
+                code = command.main(["image.zarr", "labels.zarr", "--region-size", "10", "--tile-size", "160",
+                                     "--scheduler", self.address, *more])
+        finally:
+            os.chdir(here)
+        self.assertEqual(code, 0)
+        return output.getvalue(), zarr.open(self.path("labels.zarr"), mode="r")[:]
+
+    def test_gives_the_same_also_after_a_worker_was_killed(self):
+        _, expected = self.run_tiles()
+        output, labels = self.run_command()
+        np.testing.assert_array_equal(labels, expected)
+        self.assertRegex(output, r"100% Completed[\s\S]*\d+ superpixels\n$")
+        shutil.rmtree(self.path("labels.zarr"))
+        killed = []
+        thread = threading.Thread(target=lambda: killed.append(
+            when_half_way(self.path("labels.zarr.part"), self.workers[0].kill)))
+        thread.start()
+        _, labels = self.run_command("--quiet", "--iterations", str(SLOW))
+        thread.join()
+        self.assertEqual(killed, [True])
+        self.assertIsNone(self.workers[1].poll())
+        np.testing.assert_array_equal(labels, self.run_tiles(num_iterations=SLOW)[1])
 
 
 @unittest.skipUnless(has("rasterio"), "needs rasterio")
@@ -248,6 +331,20 @@ class GeoTiffTest(TilesCase):
         number, labels = self.run_tiles("labels.tif", "disc.tif")
         self.assert_partition(number, labels, valid)
 
+    def test_control_points_survive(self):
+        import rasterio
+        from rasterio.control import GroundControlPoint
+        points = [GroundControlPoint(row=r, col=c, x=7 + c / 1e4, y=50 - r / 1e4)
+                  for r, c in ((0, 0), (0, 600), (490, 0))]
+        with rasterio.open(self.path("points.tif"), "w", driver="GTiff", height=500, width=610, count=3, dtype="uint8",
+                           gcps=points, crs="EPSG:4326") as file:
+            file.write(self.image.transpose(2, 0, 1))
+        self.run_tiles("labels.tif", "points.tif", tile_size=640)
+        with rasterio.open(self.path("labels.tif")) as file:
+            kept, crs = file.gcps
+        self.assertEqual([(p.row, p.col, p.x, p.y) for p in kept], [(p.row, p.col, p.x, p.y) for p in points])
+        self.assertEqual(crs.to_epsg(), 4326)
+
     def test_command(self):
         self.write_tiff("image.tif", self.image.transpose(2, 0, 1))
         output, errors = io.StringIO(), io.StringIO()
@@ -258,6 +355,10 @@ class GeoTiffTest(TilesCase):
             self.assertEqual(command.main([self.path("none.tif"), self.path("labels.tif")]), 1)
         self.assertRegex(output.getvalue(), r"Completed[\s\S]*\d+ superpixels\n$")
         self.assertIn("tile_size must be", errors.getvalue())
+        for image, labels in (("image.zarr", "plain.tif"), ("plain.tif", "again.tif")):  # without a georeference
+            run = subprocess.run([sys.executable, "-m", "gwatershed.tiles.command", self.path(image), self.path(labels),
+                                  "--quiet"], stderr=subprocess.PIPE, check=True)
+            self.assertEqual(run.stderr, b"")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 80, 48, 56, 40, 64, 2.6f, 4 * 256, 0 };
+static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, 2.6f, 1, 1 };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
@@ -22,6 +22,7 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
     buffers.graph.build(labels, num_labels, features, distance);
+    measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, RULES, buffers, regions);
     unions_ = merger.runToTheEnd();
 

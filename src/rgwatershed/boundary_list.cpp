@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/boundary_list.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,31 +16,40 @@ void BoundaryList::begin(int first_row, size_t most_quads)
     for (int c = 0; c < NUM_CLASSES; c++)
     {
         pixels_[c].clear();
-        pixels_[c].reserve(most_quads);
+        pixels_[c].reserve(most_quads + NUM_BEHIND);
         ends_[c].assign(1, 0);
     }
 }
 
-void BoundaryList::addRow(const Quad* quads, int n, int first, int step)
+template <typename Find> void BoundaryList::addRow(int cols, int first, int step, const Find& find)
 {
     int* next[NUM_CLASSES];
     for (int c = 0; c < NUM_CLASSES; c++)
     {
-        pixels_[c].resize(ends_[c].back() + n);
+        pixels_[c].resize(ends_[c].back() + (cols + 1) / 2 + NUM_BEHIND);
         next[c] = pixels_[c].data() + ends_[c].back();
     }
-    for (int i = 0; i < n; i++)
+    for (int x = 0; x < cols; x += AT_ONCE)
     {
-        const int upper = first + 2 * quads[i].x, lower = upper + step, classes = quads[i].classes;
-        *next[0] = upper;
-        *next[1] = upper + 1;
-        *next[2] = lower;
-        *next[3] = lower + 1;
-        for (int c = 0; c < NUM_CLASSES; c++)
-            next[c] += (classes >> c) & 1;
+        unsigned upper, lower;
+        find(x, upper, lower);
+        for (int pixel = first + x; upper | lower; pixel += 2, upper >>= 2, lower >>= 2)
+        {
+            *next[0] = pixel;
+            *next[1] = pixel + 1;
+            *next[2] = pixel + step;
+            *next[3] = pixel + step + 1;
+            next[0] += upper & 1;
+            next[1] += (upper >> 1) & 1;
+            next[2] += lower & 1;
+            next[3] += (lower >> 1) & 1;
+        }
     }
     for (int c = 0; c < NUM_CLASSES; c++)
+    {
+        std::fill_n(next[c], int(NUM_BEHIND), first);
         ends_[c].push_back(int(next[c] - pixels_[c].data()));
+    }
 }
 
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)
@@ -55,105 +65,107 @@ void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& mask
     }
 }
 
-//! Where a size is odd, the last pixels have no neighbours in their blocks.
-static void cutOddEnds(const Range& rows, Padded<uchar>& masks)
+void findMasksInBlocks(const Padded<int>& blocks, int side, const Range& rows, Padded<uchar>& masks)
 {
+    const MaskTable& table = maskTable();
     const uchar WITHOUT_RIGHT = 0xE3, WITHOUT_LOWER = 0x8F;
     const Size size = masks.size();
-    const int end = std::min(2 * rows.end, size.height);
-    for (int y = 2 * rows.start; size.width % 2 && y < end; y++)
+    const int width = blocks.size().width;
+    std::vector<int> masks_of_blocks(width);
+    std::vector<uchar> line(side * width + 4);
+    for (int y = rows.start; y < rows.end; y++)
     {
-        masks.row(y)[size.width - 1] &= WITHOUT_RIGHT;
-        masks.row(y)[size.width] = INTERIOR;
+        if (y == rows.start || y % side == 0)
+            findMasksOfRow(blocks.row(y / side), blocks.step(), width, masks_of_blocks.data());
+        const int* const of_blocks = masks_of_blocks.data();
+        uchar* const to = line.data();
+        for (int x = 0; x < width; x++) // of each 4 bytes the next ones overwrite those beyond the block
+            memcpy(to + side * x, table.masksInBlock(side, of_blocks[x], y % side), 4);
+        if (size.width % side != 0) // the last block is not whole
+            line[size.width - 1] &= WITHOUT_RIGHT;
+        for (int x = 0; x < size.width && y == size.height - 1; x++)
+            line[x] &= WITHOUT_LOWER;
+        std::copy_n(line.data(), size.width, masks.row(y));
     }
-    if (2 * rows.end <= size.height)
-        return;
-    for (int x = 0; x < size.width; x++)
-        masks.row(size.height - 1)[x] &= WITHOUT_LOWER;
-    std::fill_n(masks.row(size.height) - 1, masks.step(), uchar(INTERIOR));
 }
 
-//! Which pixels of a quad can leave.
-static int findLeavers(const MaskTable& table, const uchar* upper, const uchar* lower)
+//! Some bytes of a row from a column on; those behind its end are `rest`.
+static inline v_uint8x16 loadBytes(const uchar* row, int x, int cols, uchar rest)
 {
-    return table.canLeave(upper[0]) | table.canLeave(upper[1]) << 1 | table.canLeave(lower[0]) << 2 |
-           table.canLeave(lower[1]) << 3;
+    if (x + BoundaryList::AT_ONCE <= cols)
+        return v_load(row + x);
+    uchar bytes[BoundaryList::AT_ONCE];
+    for (int i = 0; i < BoundaryList::AT_ONCE; i++)
+        bytes[i] = x + i < cols ? row[x + i] : rest;
+    return v_load(bytes);
+}
+
+template <int BITS> static inline v_uint8x16 rotateLeft(const v_uint8x16& bytes)
+{
+    const v_uint16x8 pairs = v_reinterpret_as_u16(bytes);
+    const uchar low = uchar((1 << BITS) - 1);
+    return v_add_wrap(bitAnd(v_reinterpret_as_u8(v_shl<BITS>(pairs)), v_setall_u8(uchar(~low))),
+                      bitAnd(v_reinterpret_as_u8(v_shr<8 - BITS>(pairs)), v_setall_u8(low)));
+}
+
+//! 1 for bytes that are not 0.
+static inline v_uint8x16 isSome(const v_uint8x16& bytes) { return v_min(bytes, v_setall_u8(1)); }
+
+//! Which of 16 bytes are 1 and not 0, as bits.
+static inline unsigned toBits(const v_uint8x16& ones)
+{
+    return unsigned(v_signmask(v_reinterpret_as_u8(v_shl<7>(v_reinterpret_as_u16(ones)))));
+}
+
+//! MaskTable::canLeave() of 16 masks, as bits.
+static inline unsigned findLeavers(const v_uint8x16& masks)
+{
+    const v_uint8x16 four = v_setall_u8(uchar(MaskTable::FOUR_NEIGHBORS)), neighbors = bitAnd(masks, four);
+    // Those that the corner before them links to the 4-neighbour before that; the others begin a piece.
+    const v_uint8x16 linked = bitAnd(neighbors, bitAnd(rotateLeft<1>(masks), rotateLeft<2>(masks)));
+    const v_uint8x16 pieces = v_sub_wrap(neighbors, linked);
+    const v_uint8x16 further = bitAnd(pieces, v_sub_wrap(pieces, v_setall_u8(1))); // all but the lowest bit
+    const v_uint8x16 is_one_piece = v_sub_wrap(isSome(pieces), isSome(further));
+    return toBits(v_min(is_one_piece, isSome(v_sub_wrap(four, neighbors))));
 }
 
 void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list)
 {
-    const MaskTable& table = maskTable();
-    std::vector<Quad> quads((masks.size().width + 1) / 2);
+    const int cols = masks.size().width;
     for (int y = rows.start; y < rows.end; y++)
     {
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        int count = 0;
-        for (int x = 0; x < int(quads.size()); x++)
+        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, unsigned& in_upper, unsigned& in_lower)
         {
-            const Quad quad = { x, findLeavers(table, upper + 2 * x, lower + 2 * x) };
-            quads[count] = quad;
-            count += quad.classes != 0;
-        }
-        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
+            in_upper = findLeavers(loadBytes(upper, x, cols, INTERIOR));
+            in_lower = findLeavers(loadBytes(lower, x, cols, INTERIOR));
+        });
     }
-}
-
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Range& rows, Padded<uchar>& masks, BoundaryList& list)
-{
-    const MaskTable& table = maskTable();
-    const int UPPER = 3, LEFT = 5; // classes
-    const Size size = masks.size();
-    const int width = blocks.size().width;
-    std::vector<int> masks_of_blocks(width);
-    std::vector<Quad> quads(width);
-    for (int y = rows.start; y < rows.end; y++)
-    {
-        findMasksOfRow(blocks.row(y), blocks.step(), width, masks_of_blocks.data());
-        uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        const int inside = 2 * y + 1 < size.height ? int(ALL_CLASSES) : UPPER;
-        int count = 0;
-        for (int x = 0; x < width; x++)
-        {
-            const int mask = masks_of_blocks[x];
-            memcpy(upper + 2 * x, table.masksInBlock(mask), 2);
-            memcpy(lower + 2 * x, table.masksInBlock(mask) + 2, 2);
-            const Quad quad = { x, table.leaversInBlock(mask) & inside };
-            quads[count] = quad;
-            count += quad.classes != 0;
-        }
-        if (size.width % 2 && count > 0 && quads[count - 1].x == width - 1)
-            quads[count - 1].classes &= LEFT;
-        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
-    }
-    cutOddEnds(rows, masks);
 }
 
 void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list)
 {
-    const MaskTable& table = maskTable();
-    const int width = marks.size().width;
-    std::vector<Quad> quads(width);
+    const int cols = masks.size().width, num_quads = marks.size().width;
+    const v_uint8x16 upper_classes = v_reinterpret_as_u8(v_setall_u16(0x0201)); // of the pixels of a row
+    const v_uint8x16 lower_classes = v_reinterpret_as_u8(v_setall_u16(0x0804));
     for (int y = rows.start; y < rows.end; y++)
     {
         uchar* row = marks.row(y);
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        int count = 0;
-        for (int x = 0; x < width; x++)
+        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, unsigned& in_upper, unsigned& in_lower)
         {
-            uint64 next_marks = 1; // of 8 quads: most rows have few marks
-            if (x % sizeof(next_marks) == 0 && x + int(sizeof(next_marks)) <= width)
-                memcpy(&next_marks, row + x, sizeof(next_marks));
-            if (!next_marks)
+            const v_uint8x16 of_quads = loadBytes(row, x / 2, num_quads, 0);
+            v_uint8x16 of_pixels, further;
+            v_zip(of_quads, of_quads, of_pixels, further);
+            in_upper = toBits(isSome(bitAnd(of_pixels, upper_classes)));
+            in_lower = toBits(isSome(bitAnd(of_pixels, lower_classes)));
+            if (in_upper | in_lower)
             {
-                x += int(sizeof(next_marks)) - 1;
-                continue;
+                in_upper &= findLeavers(loadBytes(upper, x, cols, INTERIOR));
+                in_lower &= findLeavers(loadBytes(lower, x, cols, INTERIOR));
             }
-            const Quad quad = { x, row[x] & findLeavers(table, upper + 2 * x, lower + 2 * x) };
-            quads[count] = quad;
-            count += quad.classes != 0;
-        }
-        std::fill_n(row, width, uchar(0));
-        list.addRow(quads.data(), count, masks.index(Point(0, 2 * y)), masks.step());
+        });
+        std::fill_n(row, num_quads, uchar(0));
     }
 }
 

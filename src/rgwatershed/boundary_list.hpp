@@ -17,16 +17,12 @@ enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
 
 enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its label: it cannot leave
 
-//! A quad that has pixels to look at: its column, and a bit for each class.
-struct Quad
-{
-    int x, classes;
-};
-
 //! The pixels that a sweep looks at in some rows of quads, by class and row.
 class BoundaryList
 {
 public:
+    enum { NUM_BEHIND = 3 }; //!< as many more pixels can be read behind a part, so that all can be taken four at a time
+
     //! Pixels by their index.
     struct Part
     {
@@ -36,8 +32,12 @@ public:
 
     //! Empties it. Rows from this one on will be added, with so many quads in all at most.
     void begin(int first_row, size_t most_quads);
-    //! Adds the next row. first is the index of the upper left pixel in it, step the offset to the next row of pixels.
-    void addRow(const Quad* quads, int n, int first, int step);
+
+    //! Adds some pixels of the next row of quads. first is the index of the upper left pixel in it, step the offset to
+    //! the next row of pixels. find(x, upper, lower) tells which of the AT_ONCE pixels from column x on in the upper
+    //! and in the lower row these are, as bits.
+    template <typename Find> void addRow(int cols, int first, int step, const Find& find);
+    enum { AT_ONCE = 16 };
 
     Part part(int c, int row) const
     {
@@ -55,13 +55,13 @@ private:
 //! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
 
+//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels, which have a side. None is without a label.
+void findMasksInBlocks(const Padded<int>& blocks, int side, const Range& rows, Padded<uchar>& masks);
+
 // Each of these adds some rows of quads to a list.
 
 //! All pixels that may leave.
 void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list);
-
-//! The same where the labels are those of blocks of 2x2 pixels, whose masks are found, too.
-void listBoundaryOfBlocks(const Padded<int>& blocks, const Range& rows, Padded<uchar>& masks, BoundaryList& list);
 
 //! Those pixels that may leave and have marks. The marks are taken away.
 void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list);

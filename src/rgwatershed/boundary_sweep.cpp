@@ -57,8 +57,8 @@ class BoundarySweeper::Wave
 public:
     Wave(const RegionChoice& choice, const SweepRules& rules, const Regions& regions, Padded<int>& labels,
          BoundarySweeper& sweeper, Moves& moves)
-        : table_(maskTable()), choice_(choice), rules_(rules), sums_(regions.sums.data()), labels_(labels),
-          sweeper_(sweeper), moves_(moves)
+        : table_(maskTable()), choice_(choice), rules_(rules), all_permitted_(rules.markers.empty() && !rules.guard),
+          sums_(regions.sums.data()), labels_(labels), sweeper_(sweeper), moves_(moves)
     {
     }
 
@@ -89,7 +89,8 @@ private:
             for (int i = 0; i < n; i++)
             {
                 const Point p(gains[i].pixel - left, y);
-                if (permits(p, gains[i].region))
+                if (sums_[gains[i].region].area <= rules_.most_area &&
+                    (all_permitted_ || permits(p, gains[i].region)))
                     move(c, p, gains[i]);
             }
         }
@@ -97,7 +98,7 @@ private:
 
     bool permits(Point p, int to) const
     {
-        return sums_[to].area <= rules_.most_area && (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
+        return (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
                (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
@@ -130,22 +131,21 @@ private:
         *mask = uchar(own_mask);
     }
 
-    //! Marks the 3x3 pixels around a move, which lie in 2x2 quads.
+    //! Marks the pixel of a move and its 4-neighbours. Two of these lie in its quad, the others beside that.
     void markAround(int c, Point p)
     {
-        const int side = c & 1 ? 1 : -1; // where the quads beside lie
-        const int column = c & 1 ? 5 : 10, row = c & 2 ? 3 : 12; // of their pixels that touch the move
+        const int side = c & 1 ? 1 : -1;
         uchar* near_row = sweeper_.marks_.row(p.y / 2) + p.x / 2;
         uchar* far_row = near_row + (c & 2 ? 1 : -1) * sweeper_.marks_.step();
-        near_row[0] = ALL_CLASSES;
-        near_row[side] |= uchar(column);
-        far_row[0] |= uchar(row);
-        far_row[side] |= uchar(row & column);
+        near_row[0] |= uchar(ALL_CLASSES & ~(1 << (3 - c)));
+        near_row[side] |= uchar(1 << (c ^ 1));
+        far_row[0] |= uchar(1 << (c ^ 2));
     }
 
     const MaskTable& table_;
     const RegionChoice& choice_;
     const SweepRules& rules_;
+    const bool all_permitted_;
     const RegionSum* const sums_;
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
@@ -197,16 +197,18 @@ void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const Padded<Feature>& features, const SweepRules& rules,
-                                  Padded<int>& labels, Regions& regions)
+void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const Padded<Feature>& features,
+                                  const SweepRules& rules, Padded<int>& labels, Regions& regions)
 {
     begin(features.size());
     labels.create(features.size(), OUTSIDE);
     sweep([&](const Range& rows, BoundaryList& list)
     {
+        const Range pixel_rows(2 * rows.start, std::min(2 * rows.end, labels.size().height));
         clearMarks(rows);
-        doubleLabels(blocks, Range(2 * rows.start, std::min(2 * rows.end, labels.size().height)), labels);
-        listBoundaryOfBlocks(blocks, rows, masks_, list);
+        spreadLabels(blocks, side, pixel_rows, labels);
+        findMasksInBlocks(blocks, side, pixel_rows, masks_);
+        listBoundary(masks_, rows, list);
     }, features, rules, labels, regions);
 }
 
@@ -259,11 +261,11 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
     if (rules.last)
         return;
-    const int STRIPES = 8, n = regions.size();
-    parallel_for_(Range(0, STRIPES), [&](const Range& range)
+    const int stripes = getNumThreads() > 1 ? 8 : 1, n = regions.size(); // each reads the moves anew
+    parallel_for_(Range(0, stripes), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            updateRegions(Range(int(int64(n) * i / STRIPES), int(int64(n) * (i + 1) / STRIPES)), features, rules.guard,
+            updateRegions(Range(int(int64(n) * i / stripes), int(int64(n) * (i + 1) / stripes)), features, rules.guard,
                           regions);
     });
 }

@@ -9,10 +9,29 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Opponent colours, or colours as they are, and depth, on the levels 0 (of pixels) to top. A level has the means of
-//! blocks of 2x2 of the one before; an odd last row or column is repeated.
+//! The levels of a pyramid: pixels are level 0; the blocks of each further level are made of those of the one before.
+struct BlockLevels
+{
+    int top;  //!< the last level
+    int base; //!< side of the blocks of level 1 in pixels, 2 or 3; it doubles on each level after it
+
+    //! Side of the blocks of a level in pixels.
+    int side(int level) const { return level == 0 ? 1 : base << (level - 1); }
+    //! Side of the blocks of a level in those of the level before.
+    int ratio(int level) const { return level == 1 ? base : 2; }
+    //! What an image of a size has of the blocks of a level.
+    Size sizeOf(int level, Size size) const
+    {
+        const int s = side(level);
+        return Size((size.width + s - 1) / s, (size.height + s - 1) / s);
+    }
+};
+
+//! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
+//! where some of them are missing at the end of a row or column, the last one stands for them.
 //! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makePyramid(const Mat& color, const Mat& depth, bool lab_input, int top, Padded<Feature>* levels);
+void makePyramid(const Mat& color, const Mat& depth, bool lab_input, const BlockLevels& levels,
+                 Padded<Feature>* features);
 
 }}} // namespace
 

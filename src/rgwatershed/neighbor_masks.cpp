@@ -39,13 +39,12 @@ void findMasksOfRow(const int* row, int step, int n, int* masks)
 static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
 
 //! Each neighbour of a pixel lies in its block or in one of the neighbours of that.
-static uchar findMaskInBlock(int block_mask, int pixel)
+static uchar findMaskInBlock(int side, int block_mask, int x, int y)
 {
-    const int x = pixel % 2, y = pixel / 2;
     int mask = 0;
     for (int k = 0; k < 8; k++)
     {
-        const int block_x = (x + DX[k] + 2) / 2 - 1, block_y = (y + DY[k] + 2) / 2 - 1;
+        const int block_x = (x + DX[k] + side) / side - 1, block_y = (y + DY[k] + side) / side - 1;
         bool same = block_x == 0 && block_y == 0;
         for (int j = 0; j < 8 && !same; j++)
             same = DX[j] == block_x && DY[j] == block_y && ((block_mask >> j) & 1);
@@ -54,7 +53,7 @@ static uchar findMaskInBlock(int block_mask, int pixel)
     return uchar(mask);
 }
 
-MaskTable::MaskTable() : changes_()
+MaskTable::MaskTable() : in_block_(), changes_()
 {
     for (int mask = 0; mask < 256; mask++)
     {
@@ -78,15 +77,11 @@ MaskTable::MaskTable() : changes_()
         for (int k = 0; k < 8; k++)
             changes_[mask][1 + DY[k]][1 + DX[k]] = (mask >> k) & 1 ? uchar(1 << ((k + 4) & 7)) : uchar(0);
     }
-    for (int mask = 0; mask < 256; mask++)
-    {
-        leavers_in_block_[mask] = 0;
-        for (int pixel = 0; pixel < 4; pixel++)
-        {
-            in_block_[mask][pixel] = findMaskInBlock(mask, pixel);
-            leavers_in_block_[mask] |= uchar(can_leave_[in_block_[mask][pixel]] << pixel);
-        }
-    }
+    for (int side = 2; side <= 3; side++)
+        for (int mask = 0; mask < 256; mask++)
+            for (int y = 0; y < side; y++)
+                for (int x = 0; x < side; x++)
+                    in_block_[side - 2][mask][y][x] = findMaskInBlock(side, mask, x, y);
 }
 
 const MaskTable& maskTable()

@@ -39,10 +39,9 @@ public:
     //! Whether three of the 4-neighbours are not in the mask.
     bool isTip(int mask) const { return is_tip_[mask]; }
 
-    //! Masks of the pixels of a block, which are numbered in raster order, by the mask of the block.
-    const uchar* masksInBlock(int mask) const { return in_block_[mask]; }
-    //! Which of them can leave, as bits.
-    int leaversInBlock(int mask) const { return leavers_in_block_[mask]; }
+    //! Masks of the pixels in a row of a block of 2x2 or 3x3 pixels, which has a side, by the mask of the block. 4
+    //! bytes, the last of them unused.
+    const uchar* masksInBlock(int side, int mask, int row) const { return in_block_[side - 2][mask][row]; }
 
     //! What changes in the masks of the neighbours if the pixel in the middle changes its label, and the neighbours of
     //! the mask have the old or the new one: 4 bytes from the left for each row, the last of them 0.
@@ -50,7 +49,7 @@ public:
 
 private:
     uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256];
-    uchar in_block_[256][4], leavers_in_block_[256];
+    uchar in_block_[2][256][3][4];
     uchar changes_[256][3][4];
 };
 

@@ -7,57 +7,54 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-static double countBlocks(Size size, int level)
+//! The largest blocks of which an image has as many as it must keep.
+static BlockLevels chooseLevels(Size size, double fewest_blocks)
 {
-    for (; level > 0; level--)
-        size = Size((size.width + 1) / 2, (size.height + 1) / 2);
-    return double(size.width) * size.height;
-}
-
-//! How often the image is halved before it is flooded: as often as it keeps the fewest blocks.
-static int chooseLevel(Size size, double fewest_blocks)
-{
-    int level = 0;
-    while (level < MAX_LEVEL && countBlocks(size, level + 1) >= fewest_blocks)
-        level++;
-    return level;
+    const BlockLevels CHOICES[] = { { 2, 2 }, { 1, 3 }, { 1, 2 } };
+    for (const BlockLevels& levels : CHOICES)
+        if (double(levels.sizeOf(levels.top, size).area()) >= fewest_blocks)
+            return levels;
+    const BlockLevels pixels = { 0, 2 };
+    return pixels;
 }
 
 //! The same for a mask: the blocks must hold most of it, and lie in so few components that merging can reach the
 //! number of superpixels.
-static int chooseLevel(const MaskPyramid& masks, int num_superpixels, double fewest_blocks)
+static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, double fewest_blocks)
 {
     int level = MAX_LEVEL;
     while (level > 0 && (masks.blocks(level) < fewest_blocks ||
                          (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
                          masks.components(level) + masks.lost(level) > std::max(num_superpixels, masks.components(0))))
         level--;
-    return level;
+    const BlockLevels levels = { level, 2 };
+    return levels;
 }
 
-static int chooseLevel(const Frame& frame, float ruler, const MaskPyramid& masks)
+static BlockLevels chooseLevels(const Frame& frame, float ruler, const MaskPyramid& masks)
 {
-    const double fewest_blocks = fewestBlocks(frame.num_superpixels, ruler);
-    if (!frame.markers.empty())
-        return 0;
-    return frame.mask.empty() ? chooseLevel(frame.color.size(), fewest_blocks)
-                              : chooseLevel(masks, frame.num_superpixels, fewest_blocks);
+    const double fewest_blocks = frame.markers.empty() ? fewestBlocks(frame.num_pixels, frame.num_superpixels, ruler)
+                                                       : DBL_MAX;
+    return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks)
+                              : chooseLevels(masks, frame.num_superpixels, fewest_blocks);
 }
 
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
-    : level(chooseLevel(frame, parameters.ruler, masks)), ruler(parameters.ruler),
+    : levels(chooseLevels(frame, parameters.ruler, masks)), ruler(parameters.ruler),
       merge_rules(mergeRules(ruler)), flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
 {
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
-    blocks = masked ? masks.blocks(level) : countBlocks(frame.color.size(), level);
-    num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(level), masks.components(level))
+    const int top = levels.top;
+    blocks = masked ? masks.blocks(top) : levels.sizeOf(top, frame.color.size()).area();
+    num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(top), masks.components(top))
                              : frame.num_superpixels;
-    num_markers = int(std::min(double(num_superpixels) * MARKERS_PER_SUPERPIXEL, blocks));
-    markers_in_cell = num_markers == num_superpixels * MARKERS_PER_SUPERPIXEL ? MARKERS_PER_SUPERPIXEL : 1;
+    markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels);
+    sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
+    num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
     most_area = frame.markers.empty() ? MOST_AREA * frame.num_pixels / frame.num_superpixels : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
@@ -77,7 +74,7 @@ int Plan::usualFloodArea(double num_blocks, int num_markers_there)
 SweepRules Plan::sweepOn(int some_level) const
 {
     SweepRules rules = sweep;
-    rules.most_area = int(std::min(most_area, double(INT_MAX))) >> 2 * some_level;
+    rules.most_area = int(std::min(most_area / (levels.side(some_level) * levels.side(some_level)), double(INT_MAX)));
     return rules;
 }
 

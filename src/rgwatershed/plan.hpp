@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_PLAN_HPP
 
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/feature_pyramid.hpp"
 #include "shared/frame.hpp"
 #include "shared/mask_pyramid.hpp"
 #include "shared/parameters.hpp"
@@ -26,16 +27,17 @@ struct Plan
     //! The rules of sweeps on a level after merging.
     SweepRules sweepOn(int some_level) const;
 
-    int level;              //!< of the pyramid, whose blocks are flooded; 0 for markers of the user
+    BlockLevels levels;     //!< the blocks of the top level are flooded; it is 0 for markers of the user
     double blocks;          //!< of that level, inside of the mask
     int num_superpixels;    //!< that merging leaves on that level
-    int num_markers, markers_in_cell; //!< of a grid; 1 if not all cells have as many
+    int markers_per_superpixel, num_markers;
     double most_area;       //!< of a superpixel that gains pixels
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
     MergeRules merge_rules;
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
+    int sweeps_before_merging;
 };
 
 }}} // namespace

@@ -24,50 +24,63 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
     }
 }
 
+//! Squared distances of pixels to the regions of some neighbours, of which a mask gives the offset.
+template <bool WITH_DEPTH, typename Offset>
+void RegionChoice::measure(const int* pixels, int n, const Offset& offset, int* squares) const
+{
+    for (int i = 0; i < n; i += 4)
+    {
+        const Feature* features[4];
+        const RegionMean* means[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
+            features[k] = features_ + pixel;
+            means[k] = means_ + (label & ~(label >> 31));
+        }
+        v_store(squares + i, distance_.squared<WITH_DEPTH>(features, means));
+    }
+}
+
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
 template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
 {
-    Feature* const features = open.features;
-    RegionMean* const means = open.means;
-    uchar several[BATCH]; // other regions
-    for (int i = 0; i < n; i++)
-    {
-        features[i] = features_[pixels[i]];
-        means[i] = means_[labels_[pixels[i]]];
-    }
-    for (int i = n; i % 4 != 0; i++) // distances are taken four at a time
-    {
-        features[i] = features[n - 1];
-        means[i] = means[n - 1];
-    }
-    distance_.squared<WITH_DEPTH>(features, means, n, open.squares);
+    measure<WITH_DEPTH>(pixels, n, [](int) { return 0; }, open.first);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
-        const int pixel = pixels[i], slack = open.squares[i] - bounds_[masks_[pixel]];
-        features[count] = features[i];
+        const int pixel = pixels[i], slack = open.first[i] - bounds_[masks_[pixel]];
         open.indices[count] = pixel;
         open.slack[count] = slack;
         count += slack > 0;
     }
 
-    for (int i = 0; i < count; i++)
+    std::fill_n(open.indices + count, 3, pixels[0]);
+    measure<WITH_DEPTH>(open.indices, count, [&](int mask) { return first_offsets_[mask]; }, open.first);
+    n = count;
+    count = 0;
+    for (int i = 0; i < n; i++)
     {
-        const int mask = masks_[open.indices[i]], *label = labels_ + open.indices[i];
-        const int first = label[first_offsets_[mask]], last = label[last_offsets_[mask]];
-        means[i] = means_[first & ~(first >> 31)];
-        several[i] = uchar((first != last) | table_.isTip(mask));
+        const int index = open.indices[i], slack = open.slack[i], square = open.first[i], mask = masks_[index];
+        const bool several = labels_[index + first_offsets_[mask]] != labels_[index + last_offsets_[mask]];
+        open.indices[count] = index;
+        open.slack[count] = slack;
+        open.first[count] = square;
+        count += (square < slack) | several | table_.isTip(mask);
     }
-    distance_.squared<WITH_DEPTH>(features, means, count, open.squares);
+
+    std::fill_n(open.indices + count, 3, pixels[0]);
+    measure<WITH_DEPTH>(open.indices, count, [&](int mask) { return last_offsets_[mask]; }, open.last);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {
-        const int index = open.indices[i], slack = open.slack[i], square = open.squares[i];
+        const int index = open.indices[i], slack = open.slack[i], first = open.first[i], last = open.last[i];
         open.indices[open.count] = index;
         open.slack[open.count] = slack;
-        open.squares[open.count] = square;
-        open.count += (square < slack) | several[i];
+        open.first[open.count] = first;
+        open.last[open.count] = last;
+        open.count += (first < slack) | (last < slack) | table_.isTip(masks_[index]);
     }
 }
 
@@ -97,7 +110,7 @@ int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
     {
         const int pixel = open.indices[i], mask = masks_[pixel];
         Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
-        compare(pixel, open.squares[i], choice);
+        compare(pixel, open.first[i], choice);
         choices[i] = choice;
         unfinished[num_unfinished] = i;
         num_unfinished += (~choice.seen & MaskTable::FOUR_NEIGHBORS) != 0;
@@ -106,10 +119,13 @@ int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
     {
         Choice& choice = choices[unfinished[i]];
         const int pixel = open.indices[unfinished[i]], *label = labels_ + pixel;
+        const int last = label[last_offsets_[masks_[pixel]]];
         do
         {
             const int region = label[first_offsets_[choice.seen]];
-            compare(pixel, distance_.squared(features_[pixel], means_[std::max(region, 0)]), choice);
+            const int square = region == last ? open.last[unfinished[i]]
+                                              : distance_.squared(features_[pixel], means_[std::max(region, 0)]);
+            compare(pixel, square, choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
     }

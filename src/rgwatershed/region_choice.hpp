@@ -28,19 +28,19 @@ public:
                  const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
 
     //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
-    //! each. Returns how many. Pixels that cannot leave are none of them.
+    //! each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
     int findGains(const int* pixels, int n, Gain* gains) const;
 
 private:
-    //! Pixels that another region may win.
+    //! Pixels that another region may win. Behind the last one is room for three more.
     struct OpenPixels
     {
-        Feature features[BATCH];
-        RegionMean means[BATCH]; // of a region that a pixel is compared with
+        enum { ROOM = BATCH + 3 };
         int count;
-        int indices[BATCH];
-        int slack[BATCH];   // squared distance below which a region wins that has all neighbours but those of its own
-        int squares[BATCH]; // of the distance to the region of the first 4-neighbour that is not in its own
+        int indices[ROOM];
+        int slack[ROOM]; // squared distance below which a region wins that has all neighbours but those of its own
+        int first[ROOM]; // square of the distance to the region of the first 4-neighbour that is not in its own
+        int last[ROOM];  // the same of the last one
     };
 
     //! The best choice of a pixel so far.
@@ -50,6 +50,8 @@ private:
     };
 
     template <bool WITH_DEPTH> void findOpen(const int* pixels, int n, OpenPixels& open) const;
+    template <bool WITH_DEPTH, typename Offset>
+    void measure(const int* pixels, int n, const Offset& offset, int* squares) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;

@@ -6,25 +6,30 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void doubleLabels(const Padded<int>& labels, const Range& rows, Padded<int>& doubled)
+template <int SIDE> static void spreadRow(const int* blocks, int cols, int* labels)
 {
-    const int width = doubled.size().width;
-    for (int y = rows.start; y < rows.end; y++)
-    {
-        const int* from = labels.row(y / 2);
-        int* to = doubled.row(y);
-        for (int x = 0; x < width / 2; x++)
-            to[2 * x] = to[2 * x + 1] = from[x];
-        if (width % 2)
-            to[width - 1] = from[width / 2];
-    }
+    for (int x = 0; x < cols / SIDE; x++)
+        for (int i = 0; i < SIDE; i++)
+            labels[SIDE * x + i] = blocks[x];
+    for (int x = cols / SIDE * SIDE; x < cols; x++)
+        labels[x] = blocks[x / SIDE];
 }
 
-void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled)
+void spreadLabels(const Padded<int>& blocks, int side, const Range& rows, Padded<int>& labels)
+{
+    const int cols = labels.size().width;
+    for (int y = rows.start; y < rows.end; y++)
+        if (side == 3)
+            spreadRow<3>(blocks.row(y / 3), cols, labels.row(y));
+        else
+            spreadRow<2>(blocks.row(y / 2), cols, labels.row(y));
+}
+
+void spreadLabels(const Padded<int>& blocks, int side, Size size, Padded<int>& labels)
 {
     CV_TRACE_FUNCTION();
-    doubled.create(size, OUTSIDE);
-    parallel_for_(Range(0, size.height), [&](const Range& rows) { doubleLabels(labels, rows, doubled); });
+    labels.create(size, OUTSIDE);
+    parallel_for_(Range(0, size.height), [&](const Range& rows) { spreadLabels(blocks, side, rows, labels); });
 }
 
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels)

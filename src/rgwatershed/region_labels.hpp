@@ -9,11 +9,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels of blocks of 2x2 pixels to some rows of the pixels.
-void doubleLabels(const Padded<int>& labels, const Range& rows, Padded<int>& doubled);
+//! Labels of blocks of 2x2 or 3x3 pixels, which have a side, to some rows of the pixels.
+void spreadLabels(const Padded<int>& blocks, int side, const Range& rows, Padded<int>& labels);
 
 //! The same for an image of a size.
-void doubleLabels(const Padded<int>& labels, Size size, Padded<int>& doubled);
+void spreadLabels(const Padded<int>& blocks, int side, Size size, Padded<int>& labels);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels);

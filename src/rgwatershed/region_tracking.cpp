@@ -18,7 +18,7 @@ void RegionTracker::start(const Plan& plan, const Padded<Feature>& features, con
 
 void RegionTracker::keep(const Plan& plan, const Padded<int>& labels)
 {
-    last_.level = plan.level;
+    last_.side = plan.levels.side(plan.levels.top);
     labels.copyTo(CV_32SC1, last_.labels);
 }
 
@@ -26,7 +26,7 @@ bool RegionTracker::track(const Plan& plan, const Padded<Feature>& features, con
                           Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    if (plan.level != last_.level)
+    if (plan.levels.side(plan.levels.top) != last_.side)
         return false;
     std::vector<int64> errors;
     labels.create(last_.labels.size(), OUTSIDE);
@@ -93,7 +93,7 @@ int RegionTracker::floodChanged(const Plan& plan, const Padded<Feature>& feature
     renumber(numbers, map);
 
     const double fewest = std::max(double(num_regions - num_kept), change.changed_area * num_regions / change.area);
-    const int num_markers = int(std::min(change.changed_area, MARKERS_PER_SUPERPIXEL * fewest));
+    const int num_markers = int(std::min(change.changed_area, plan.markers_per_superpixel * fewest));
     std::vector<Point> markers;
     computeBlockGradient(features, plan.flood_distance, mask, gradient);
     compare(map, Scalar(UNSEEN), dissolved, CMP_EQ);

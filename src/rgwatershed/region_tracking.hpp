@@ -49,8 +49,8 @@ private:
     //! What a frame leaves for the next one.
     struct Last
     {
-        int level = -1;            // of the pyramid; -1: there is no frame
-        Mat labels;                // of the blocks of that level
+        int side = 0;              // of the blocks, in pixels; 0: there is no frame
+        Mat labels;                // of the blocks
         std::vector<int64> errors; // of each region when it was made
     };
     Last last_;

@@ -27,10 +27,10 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     if (!frame.mask.empty())
         masks_.build(frame.mask, MAX_LEVEL);
     const Plan plan(frame, parameters, masks_);
-    const int top = plan.level;
+    const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    makePyramid(frame.color, frame.depth, parameters.lab_input, top, features_);
+    makePyramid(frame.color, frame.depth, parameters.lab_input, plan.levels, features_);
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
@@ -53,12 +53,14 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
-    const Padded<Feature>& features = features_[plan.level];
+    const Padded<Feature>& features = features_[plan.levels.top];
     int markers_in_cell = 1;
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     if (mask.empty())
     {
-        const MarkerGrid grid(features.size(), plan.num_markers / plan.markers_in_cell, plan.markers_in_cell);
+        const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
+        const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
+        const MarkerGrid grid(features.size(), plan.num_markers / in_cell, in_cell);
         placeGridMarkers(gradient_, grid, markers_);
         divideIntoBands(grid, plan.band_height, bands_);
         markers_in_cell = grid.parts.area();
@@ -68,10 +70,11 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
         placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
     }
-    clearLabels(features.size(), mask, labels_[plan.level]);
+    clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
-                    plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_, labels_[plan.level], regions_);
+                    plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_, labels_[plan.levels.top],
+                    regions_);
     return markers_in_cell;
 }
 
@@ -82,10 +85,11 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
     CV_TRACE_FUNCTION();
     MergeRules rules = plan.merge_rules;
     rules.in_cell = markers_in_cell;
-    const Padded<Feature>& features = features_[plan.level];
-    Padded<int>& labels = labels_[plan.level];
-    sweepers_[plan.level].sweepAll(features, plan.sweep_before_merging, labels, regions_);
-    sweepers_[plan.level].sweepAgain(SWEEPS_BEFORE_MERGING - 1, features, plan.sweep_before_merging, labels, regions_);
+    const Padded<Feature>& features = features_[plan.levels.top];
+    Padded<int>& labels = labels_[plan.levels.top];
+    BoundarySweeper& sweeper = sweepers_[plan.levels.top];
+    sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
+    sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
     mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, rules, merge_buffers_, labels,
                         regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
@@ -109,16 +113,18 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iterations)
 {
     CV_TRACE_FUNCTION();
-    for (int level = plan.level; level >= 0; level--)
+    const int top = plan.levels.top;
+    for (int level = top; level >= 0; level--)
     {
-        const int num_sweeps = level == plan.level ? SWEEPS_AFTER_MERGING
+        const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweepOn(level);
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
-        if (level < plan.level)
+        if (level < top)
             descend(frame, plan, level);
-        if (level < plan.level && frame.mask.empty())
-            sweepers_[level].sweepBlocks(labels_[level + 1], features_[level], rules, labels_[level], regions_);
+        if (level < top && frame.mask.empty())
+            sweepers_[level].sweepBlocks(labels_[level + 1], plan.levels.ratio(level + 1), features_[level], rules,
+                                         labels_[level], regions_);
         else
             sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
         sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
@@ -129,10 +135,11 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
 //! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
-    regions_.divideBlocks();
+    const int side = plan.levels.ratio(level + 1);
+    regions_.divideBlocks(side * side);
     if (frame.mask.empty())
         return;
-    doubleLabels(labels_[level + 1], features_[level].size(), labels_[level]);
+    spreadLabels(labels_[level + 1], side, features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
     if (level > 0)

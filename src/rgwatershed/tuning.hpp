@@ -14,17 +14,14 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid: blocks of 2^level pixels are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
-static const int MARKERS_PER_SUPERPIXEL = 4;   // the flood makes as many regions, which are merged
-static const int BLOCKS_PER_SUPERPIXEL = 12;   // at least, twice as many at ruler 0, or smaller blocks are flooded
 static const double MARKERS_WITH_BUFFERS = 0.05; // for each pixel; with more of them, below 9x9 pixels, buffers of
                                                // merging would be most of the memory, and are not kept
 enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
-static const double FLOOD_RULER = 0.28;        // priority in grey levels, by ruler, one grid step from the marker
+static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
 static const double MOST_AREA = 2.9;            // of a superpixel, in mean areas, that still gains blocks or pixels
-static const int SWEEPS_BEFORE_MERGING = 2;    // of the blocks that were flooded
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -38,7 +35,7 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
-static const int FLOOD_LIGHTNESS = 128, FLOOD_CHROMA = 256;
+static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 136, SWEEP_CHROMA = 336;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
@@ -62,16 +59,31 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 51, 72, 47, 0, 33, 49, 2.6f, 0, 0 };
-    rules.length = cvRound(14 + 37 * std::min(ruler / 10, 1.f));
-    rules.noise = cvRound(256 * (2.5 + 0.25 * std::min(ruler, 40.f))); // larger ones make the cells of a ramp squares
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 2.6f, 1, 1 };
+    rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
+    rules.noise = 0.625f + 0.0625f * std::min(ruler, 40.f); // larger ones make the cells of a ramp squares
     return rules;
 }
 
-//! How many blocks a number of superpixels must keep, more if their boundary may be irregular.
-inline double fewestBlocks(int num_superpixels, float ruler)
+//! How many blocks a number of superpixels must keep: more if their boundary may be irregular, fewer where superpixels
+//! are small, because a smaller block is not much better than what the sweeps of pixels make of it.
+inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler)
 {
-    return double(num_superpixels) * BLOCKS_PER_SUPERPIXEL * (2 - std::min(ruler / 10, 1.f));
+    const double MOST = 12; // for each superpixel; else the length of its side in pixels
+    const double side = std::sqrt(double(num_pixels) / num_superpixels);
+    return num_superpixels * std::min(side, MOST) * (2 - std::min(ruler / 10, 1.f));
+}
+
+//! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
+inline int markersPerSuperpixel(double blocks_per_superpixel)
+{
+    return blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 16 ? 3 : 4;
+}
+
+//! Sweeps of the blocks that were flooded.
+inline int sweepsBeforeMerging(int markers_per_superpixel)
+{
+    return markers_per_superpixel < 4 ? 1 : 2;
 }
 
 //! The distance that leads in finding regions.

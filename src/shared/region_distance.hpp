@@ -59,27 +59,23 @@ public:
         return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
-    //! The squares of many pairs. Arrays have room for a multiple of 4, so that no pair is treated in another way.
-    template <bool WITH_DEPTH> void squared(const Feature* features, const RegionMean* means, int n, int* squares) const
+    //! The squares of four pairs at once.
+    template <bool WITH_DEPTH> v_int32x4 squared(const Feature* const* f, const RegionMean* const* r) const
     {
-        const v_int32x4 color = v_setall_s32(pairOf(weights[0], 0)), depth = v_setall_s32(pairOf(weights[0], 2));
-        for (int i = 0; i < n; i += 4)
-        {
-            v_int32x4 first = color, second = depth;
-            if (WITH_DEPTH)
-                splitPairs(v_load_halves(weightsOf(features[i], means[i]), weightsOf(features[i + 1], means[i + 1])),
-                           v_load_halves(weightsOf(features[i + 2], means[i + 2]),
-                                         weightsOf(features[i + 3], means[i + 3])), first, second);
-            v_uint16x8 low, high;
-            v_expand(v_load(features[i].color), low, high);
-            v_int32x4 color_differences, depth_differences;
-            splitPairs(difference(low, means[i].color), difference(high, means[i + 2].color), color_differences,
-                       depth_differences);
-            const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
-                v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second)));
-            const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
-            v_store(squares + i, v_shr<8>(v_dotprod(d, d)));
-        }
+        v_int32x4 first = v_setall_s32(pairOf(weights[0], 0)), second = v_setall_s32(pairOf(weights[0], 2));
+        if (WITH_DEPTH)
+            splitPairs(v_load_halves(weightsOf(*f[0], *r[0]), weightsOf(*f[1], *r[1])),
+                       v_load_halves(weightsOf(*f[2], *r[2]), weightsOf(*f[3], *r[3])), first, second);
+        const v_uint32x4 features(bitsOf(*f[0]), bitsOf(*f[1]), bitsOf(*f[2]), bitsOf(*f[3]));
+        v_uint16x8 low, high;
+        v_expand(v_reinterpret_as_u8(features), low, high);
+        v_int32x4 color_differences, depth_differences;
+        splitPairs(difference(low, v_load_halves(r[0]->color, r[1]->color)),
+                   difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences, depth_differences);
+        const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
+            v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second)));
+        const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
+        return v_shr<8>(v_dotprod(d, d));
     }
 
     bool with_depth;
@@ -103,9 +99,16 @@ private:
         v_zip(even, odd, first, second);
     }
 
-    static v_int16x8 difference(const v_uint16x8& features, const short* means)
+    static unsigned bitsOf(const Feature& f)
     {
-        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), v_load(means)));
+        unsigned bits;
+        memcpy(&bits, &f, sizeof(bits));
+        return bits;
+    }
+
+    static v_int16x8 difference(const v_uint16x8& features, const v_int16x8& means)
+    {
+        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), means));
     }
 
     const short* weightsOf(const Feature& f, const RegionMean& r) const

@@ -12,11 +12,12 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
+static const int64 UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
 
-// What is added to the squared distance of regions of the same cell, in 1/256 of a squared level, instead of the noise.
+// The noise of the cost between regions of the same cell of the grid of markers.
 // So these are united first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 4 };
+static const float NOISE_IN_CELL = 1.f / 256;
 
 enum { EXCESS = 8 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
@@ -57,26 +58,31 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 }
 
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
-//! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l its
-//! length, L the lightness of the means, m that of the union:
-//!     (d^2 + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness max(1, (n1 + n2) / usual area)^8
-//! The first two factors are Ward's criterion; the constants let small regions go first where colours are equal.
-//! Without the last one, what holds both colours of a pattern is nearer to all around it than these are to each other,
-//! and takes in one after the other. It is the same for both orders of the regions.
+//! roots and no divisions. With d the distance of the means, v the variances, n the areas, h the mean contrast across
+//! the boundary, l its length, L the lightness of the means, m that of the union:
+//!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
+//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
+//!     max(1, (n1 + n2) / usual area)^8,   V = v1 + v2 + 16
+//! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
+//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good as
+//! (d^2 + 4 noise). Without the
+//! last factor, what holds both colours of a pattern is nearer to all around it than these are to each other, and takes
+//! in one after the other. The cost is the same for both orders of the regions.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
                             const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
-    const int noise = (edge.a ^ edge.b) < rules.in_cell ? int(NOISE_IN_CELL) : rules.noise;
+    const float noise = a.cell == b.cell ? NOISE_IN_CELL : rules.noise;
+    const float variance = a.variance + b.variance + 16 * 256;
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
-    return rules.distance * logarithm(float(squared_distance + noise)) +
+    return rules.distance * (logarithm(64 * float(squared_distance) + noise * variance) - logarithm(variance)) +
            EXCESS * std::max(0, log_union - log_usual_area) +
            rules.areas * (a.log_area + b.log_area - log_union) +
            rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
-           rules.brightness * (logarithm(a.light + b.light) - log_union);
+           rules.brightness * (logarithm(a.light + b.light) - log_union) +
+           rules.texture * logarithm(std::max(a.variance, b.variance) + 8 * 256);
 }
 
 //! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
@@ -88,6 +94,35 @@ static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
         rules.brightness = rules.brightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
     }
     return rules;
+}
+
+void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
+                    std::vector<int64>& squares)
+{
+    CV_TRACE_FUNCTION();
+    int table[3][256];
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 256; i++)
+        {
+            const int weighted = distance.weights[0][k] * i / (FULL_WEIGHT / STEPS_PER_LEVEL);
+            table[k][i] = weighted * weighted;
+        }
+    squares.assign(num_regions, 0);
+    for (int y = 0; y < labels.rows; y++)
+    {
+        const int* row = labels.ptr<int>(y);
+        const Feature* feature = features.row(y);
+        for (int x = 0; x < labels.cols;)
+        {
+            const int label = row[x];
+            int64 run = 0;
+            for (; x < labels.cols && row[x] == label; x++)
+                for (int k = 0; k < 3; k++)
+                    run += table[k][feature[x].color[k]];
+            if (label >= 0)
+                squares[label] += run;
+        }
+    }
 }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
@@ -161,12 +196,29 @@ void SimilarMerger::start()
     });
 }
 
+//! The square of a sum over the number is taken apart, so that nothing is rounded before the end:
+//! with sum = q n + r it is q^2 n + 2 q r + r^2 / n.
+int64 SimilarMerger::variance(int region) const
+{
+    const RegionSum& sum = regions_.sums[region];
+    int64 squares = b_.squares[region];
+    for (int k = 0; k < 3; k++)
+    {
+        const int64 n = sum.area, weighted = sum.color[k] * distance_.weights[0][k] / (FULL_WEIGHT / STEPS_PER_LEVEL);
+        const int64 q = weighted / n, r = weighted % n;
+        squares -= q * q * n + 2 * q * r + r * r / n;
+    }
+    return std::max<int64>(squares, 0) / sum.area;
+}
+
 MergeRegion SimilarMerger::describe(int region) const
 {
     const RegionMean& mean = regions_.means[region];
     const RegionSum& sum = regions_.sums[region];
     const float area = float(sum.area);
-    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area), float(sum.color[0] + 16 * int64(sum.area)) };
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
+                           float(b_.squares.empty() ? UNKNOWN_VARIANCE : variance(region)),
+                           float(sum.color[0] + 16 * int64(sum.area)), region / rules_.in_cell };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -362,6 +414,8 @@ void SimilarMerger::unite(const MergePair& pair)
 {
     regions_.sums[pair.to].add(regions_.sums[pair.from]);
     regions_.update(pair.to);
+    if (!b_.squares.empty())
+        b_.squares[pair.to] += b_.squares[pair.from];
     b_.records[pair.to] = describe(pair.to);
     b_.parents[pair.from] = pair.to;
     b_.changed[pair.to] = 1;

@@ -18,9 +18,10 @@ struct MergeRules
     int length;     //!< of the boundary: long ones make it cheap
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
+    int texture;    //!< the larger variance: rough regions should not take in others
     float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
-    int noise;      //!< a squared distance that means little, in 1/256 of a squared level
-    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid, a power of 2; 0 or 1: none do
+    float noise;    //!< a squared distance that means little, in parts of the variance
+    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
 };
 
 //! What the cost of a union reads of a region.
@@ -29,8 +30,14 @@ struct MergeRegion
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
+    float variance; //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
+    int cell;      //!< of the grid of markers, in which the region began
 };
+
+//! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
+void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
+                    std::vector<int64>& squares);
 
 //! A union that may be done in a round.
 struct MergePair
@@ -48,10 +55,11 @@ struct MergeBand
     std::vector<MergePair> pairs;
 };
 
-//! Buffers of merging. The graph is also its input.
+//! Buffers of merging. The graph and the squares are also its input.
 struct MergeBuffers
 {
     MergeGraph graph;
+    std::vector<int64> squares;     // of each region: sum of the squared colours, weighted; empty: variances do not count
     std::vector<MergeBand> bands;
     std::vector<MergeRegion> records;
     std::vector<uint64> best;       // of each region: the price of its cheapest union
@@ -81,6 +89,7 @@ public:
 private:
     void start();
     void expect(int num_regions);
+    int64 variance(int region) const;
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();

@@ -66,11 +66,11 @@ struct RegionSum
 
     RegionMean mean() const
     {
-        const int64 reciprocal = FIXED_ONE / area;
+        const int64 reciprocal = int64(double(FIXED_ONE) / area);
         RegionMean m;
         for (int k = 0; k < 3; k++)
             m.color[k] = divide(color[k], reciprocal);
-        m.depth = depth_area ? divide(depth, FIXED_ONE / depth_area) : short(RegionMean::NO_DEPTH);
+        m.depth = depth_area ? divide(depth, int64(double(FIXED_ONE) / depth_area)) : short(RegionMean::NO_DEPTH);
         return m;
     }
 
@@ -101,19 +101,18 @@ struct Regions
         resize(n);
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
-    //! From sums over blocks to sums over the 2x2 elements in each block. A block is their mean, so sums become four
-    //! times
-//! as large.
-    void divideBlocks()
+    //! From sums over blocks to sums over what they are made of, some elements for each block. A block is their mean,
+    //! so sums become so many times as large.
+    void divideBlocks(int elements)
     {
         for (int i = 0; i < size(); i++)
         {
             RegionSum& sum = sums[i];
             for (int k = 0; k < 3; k++)
-                sum.color[k] *= 4;
-            sum.depth *= 4;
-            sum.area = int(std::min<int64>(4 * int64(sum.area), INT_MAX)); // less at odd borders
-            sum.depth_area = int(std::min<int64>(4 * int64(sum.depth_area), INT_MAX));
+                sum.color[k] *= elements;
+            sum.depth *= elements;
+            sum.area = int(std::min<int64>(elements * int64(sum.area), INT_MAX)); // less at the borders
+            sum.depth_area = int(std::min<int64>(elements * int64(sum.depth_area), INT_MAX));
         }
     }
     void update(int i) { means[i] = sums[i].mean(); }

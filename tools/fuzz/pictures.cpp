@@ -192,7 +192,7 @@ Mat makeImage(const Mat& scene, Bytes& bytes)
 {
     if (oneIn(32, bytes))
         return makeWrong(scene.size(), bytes);
-    const int depth = bytes.PickValueInArray({ CV_8U, CV_8U, CV_16U, CV_32F, CV_8S, CV_16S, CV_32S, CV_64F });
+    const int depth = bytes.PickValueInArray({ CV_8U, CV_8U, CV_16U, CV_32F, CV_8S, CV_16S, CV_32S, CV_64F, CV_16F });
     const int channels = bytes.PickValueInArray({ 3, 3, 3, 1, 4, 2 });
     Mat image = scene;
     if (channels == 1)
@@ -205,12 +205,15 @@ Mat makeImage(const Mat& scene, Bytes& bytes)
         planes.resize(channels, planes[3]);
         cv::merge(planes, image);
     }
-    const double usual = depth == CV_8U ? 255 : depth == CV_16U ? 65535 : depth == CV_32F || depth == CV_64F ? 1 : 127;
+    const bool is_float = depth == CV_32F || depth == CV_64F || depth == CV_16F;
+    const double usual = depth == CV_8U ? 255 : depth == CV_16U ? 65535 : is_float ? 1 : 127;
     const double span = oneIn(2, bytes) ? usual : bytes.PickValueInArray({ 4095., 300., 1e9, 1e30, 1e-30 });
     Mat converted;
-    image.convertTo(converted, depth, span, bytes.PickValueInArray({ 0., 0., 7000., -1000., -0.5 }));
-    if (depth == CV_32F && oneIn(3, bytes))
+    image.convertTo(converted, is_float ? CV_32F : depth, span,
+                    bytes.PickValueInArray({ 0., 0., 7000., -1000., -0.5 }));
+    if (is_float && oneIn(3, bytes))
         writeSpecials(converted, bytes);
+    converted.convertTo(converted, depth);
     return converted;
 }
 
@@ -220,13 +223,14 @@ bool isImage(const Mat& image)
     return !image.empty() && image.dims == 2 && depth <= CV_16F && channels <= 4;
 }
 
-//! Keeps one depth in each square of a few pixels.
+//! Keeps one depth in each square of a few pixels, or all but one.
 static void keepLattice(Mat& depth, Bytes& bytes)
 {
+    const bool keeps_one = oneIn(2, bytes);
     const int step = 2 + takeUpTo(3, bytes), left = takeUpTo(step - 1, bytes), top = takeUpTo(step - 1, bytes);
     for (int y = 0; y < depth.rows; y++)
         for (int x = 0; x < depth.cols; x++)
-            if (x % step != left || y % step != top)
+            if ((x % step == left && y % step == top) != keeps_one)
                 depth.at<float>(y, x) = 0;
 }
 
@@ -258,6 +262,8 @@ Mat makeDepth(const Mat& scene, Bytes& bytes)
         break;
     case 1:
         depth.convertTo(converted, CV_16U, bytes.PickValueInArray({ 65535, 5000, 3 }));
+        if (oneIn(2, bytes)) // how other cameras say that it is missing
+            converted.setTo(Scalar(65535), depth == 0);
         break;
     case 2:
         depth.convertTo(converted, CV_16S, bytes.PickValueInArray({ 32767, 1000 }), -16);

@@ -6,6 +6,7 @@
 
   measure.py mosaic FOLDER SIDE         makes FOLDER/image.zarr and FOLDER/edges.zarr
   measure.py run FOLDER WORKERS KIND    segments it by threads or processes; prints seconds and the largest memory
+  measure.py speed FOLDER ROUNDS        one and two workers in turns; prints medians of seconds, and their ratios
   measure.py plain FOLDER SIDE          the plain call and the tiles on a corner that fits into memory; prints seconds
   measure.py seams FOLDER               explained variation and boundary recall near the edges of tiles and elsewhere
 
@@ -13,7 +14,9 @@ The environment names two folders: TRUTH has a label map NAME-0.png for PHOTOGRA
 """
 import os
 import random
+import re
 import resource
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -63,10 +66,23 @@ def run_tiles(folder, workers, kind):
     number = segment_file(f"{folder}/image.zarr", f"{folder}/labels.zarr", REGION_SIZE, tile_size=TILE_SIZE,
                           scheduler=kind, workers=int(workers))
     seconds = time.perf_counter() - start
-    usage = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    memory = max(one.ru_maxrss for one in usage) / 1e6
-    busy = sum(one.ru_utime + one.ru_stime for one in usage)
+    own, children = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    memory = (own.ru_maxrss + int(workers) * children.ru_maxrss) / 1e6  # as if all had their peak at once
+    busy = sum(one.ru_utime + one.ru_stime for one in (own, children))
     print(f"{workers} {kind}: {number} superpixels, {seconds:.1f} s, {busy:.1f} s of processors, {memory:.2f} GB")
+
+
+def compare_speed(folder, rounds):
+    ways = [(workers, kind) for kind in ("threads", "processes") for workers in ("1", "2")]
+    seconds = {way: [] for way in ways}
+    for _ in range(rounds):
+        for way in ways:
+            run = subprocess.run([sys.executable, __file__, "run", folder, *way], stdout=subprocess.PIPE, check=True)
+            seconds[way].append(float(re.search(r"([0-9.]+) s,", run.stdout.decode()).group(1)))
+            print(run.stdout.decode().strip(), flush=True)
+    for kind in ("threads", "processes"):
+        one, two = (np.median(seconds[workers, kind]) for workers in ("1", "2"))
+        print(f"{kind}: {one:.1f} s and {two:.1f} s, {one / two:.2f} times as fast with two")
 
 
 def compare_with_plain(folder, side):
@@ -133,6 +149,8 @@ if __name__ == "__main__":
         make_mosaic(folder, int(rest[0]))
     elif what == "run":
         run_tiles(folder, *rest)
+    elif what == "speed":
+        compare_speed(folder, int(rest[0]))
     elif what == "plain":
         compare_with_plain(folder, int(rest[0]))
     elif what == "seams":

@@ -42,8 +42,8 @@ enum GWatershedType
 
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
-   enough, their means over blocks of 2x2 or 4x4 pixels.
-2. Markers: four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
+   enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
+2. Markers: two to four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
@@ -200,14 +200,18 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary and lightness:
-    @f[ (d^2 + 4)\left(\frac{n_a n_b}{n_a + n_b}\right)^{5/4} (h + 1)^{3/4}
-        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-7/8} (|L_a - L_b| + 1)^{-5/8} (L + 16)^{-1} @f]
-    d is the distance of the mean colours and depths (Euclidean), n the number of pixels, l the length of the common
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, lightness and
+    texture:
+    @f[ (64 d^2 / V + 1)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.3} (h + 1)^{0.97}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1.02} (|L_a - L_b| + 1)^{-0.84} (L + 16)^{-0.87}
+        (\max(v_a, v_b) + 8)^{0.61} @f]
+    d is the distance of the mean colours and depths (Euclidean), v the variance of the colours in each of the two,
+    and V = v_a + v_b + 16; n the number of pixels, l the length of the common
     boundary in pixel edges, and h the contrast of the boundary: the mean distance (sum of absolute differences) of
     the pixels on its two sides. L are the mean lightnesses, and that of both together, from 0 to 255. The distances
-    are in 8-bit levels of the opponent space of RGWATERSHED, with lightness halved, or of the channels given after
-    setLabInput(true); alpha weighs depth, and the exponents of lightness beside depth.
+    are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
+    setLabInput(true); alpha weighs depth. The terms of lightness count less beside depth, and not at all at an alpha
+    of 0.5 or less.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.
@@ -222,8 +226,8 @@ public:
         gws->getStatistics(image, noArray(), stats, centroids, mean_colors);
     @endcode
 
-    @param image Image of the size of the label map, of any type: the one that was segmented, or another one,
-    such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
+    @param image Image of the size of the label map, of any type but 64-bit integers: the one that was segmented, or
+    another one, such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
     @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
     @param stats N x 5 CV_32SC1, one row for each superpixel, in pixels. The columns are those of
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
@@ -343,7 +347,8 @@ public:
     /** @brief Tells that images are in CIELAB or a similar space instead of BGR.
     @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to
     its opponent space. If true, RGWATERSHED takes the channels as they are: lightness and two colour
-    differences, such as CIELAB from cv::cvtColor. GWATERSHED never converts. */
+    differences, such as CIELAB from cv::cvtColor. That of floats follows colour more than that of 8 bits, where
+    cvtColor() stretches lightness. GWATERSHED never converts. */
     CV_WRAP virtual void setLabInput(bool lab_input) = 0;
     /** @brief Whether images are in CIELAB or a similar space. @see setLabInput */
     CV_WRAP virtual bool getLabInput() const = 0;

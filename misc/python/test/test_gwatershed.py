@@ -358,6 +358,53 @@ class gwatershed_test(TestCase):
             cut = self.labels_of(gws)
             self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()))
 
+    def test_values_in_any_range(self):
+        bytes_ = make_image()
+        labels = self.segment(bytes_)
+        for image in (bytes_.astype(np.uint16) * 257, bytes_.astype(np.float32) / 255, bytes_ / 255.0):
+            np.testing.assert_array_equal(self.segment(image), labels)
+        flat = np.where(np.arange(64) < 37, 170, 90) * np.ones((48, 1))
+        for low, step, dtype in ((0, 1, np.float32), (-1, 1 / 128, np.float32), (-1000, 12, np.int16),
+                                 (0, 16, np.uint16), (7000, 4, np.uint16), (1e6, 8, np.float64),
+                                 (-70000, 600, np.int32)):
+            for channels in (1, 2, 3, 4):
+                image = np.dstack([flat * step + low] * channels).astype(dtype)
+                cut = self.segment(image, region_size=8)
+                self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()), (dtype, channels))
+        flat[5:9, 5:9], flat[20, 3], flat[30, 3] = np.nan, np.inf, -np.inf
+        cut = self.segment(flat * 3, region_size=8)
+        self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()))
+
+    def test_depth_that_is_missing_or_far(self):
+        image, depth = np.full((48, 64, 3), 100, np.uint8), make_depth()
+        holes, saturated = depth.copy(), depth.copy()
+        holes[:, 50:], saturated[:, 50:] = 0, 65535
+        np.testing.assert_array_equal(self.segment(image, holes), self.segment(image, saturated))
+        sentinel = depth.copy()
+        sentinel[10:40, 45:] = 10000
+        far = np.where(np.arange(64) < 37, 1.0, np.inf) * np.ones((48, 1))
+        for values in (sentinel, far, far.astype(np.float32)):
+            cut = self.segment(image, values, region_size=8)
+            self.assertFalse(set(cut[:, :37].ravel()) & set(cut[:, 37:].ravel()))
+        for missing in (np.nan, 0, -1, -np.inf):
+            part = np.where(np.arange(64) < 37, 1.0, missing) * np.ones((48, 1))
+            np.testing.assert_array_equal(self.segment(image, part), self.segment(image))
+
+    def test_statistics_skip_what_is_no_number(self):
+        gws = ximgproc.createSuperpixelGWatershed(make_image())
+        gws.setDesiredSuperpixels(1)
+        gws.iterate()
+        values = np.full((48, 64, 3), (4, 5, np.nan), np.float32)
+        values[2] = np.nan, 5, np.inf
+        colors = gws.getStatistics(values, None)[2]
+        self.assertEqual(colors[0, :2].tolist(), [4, 5])
+        self.assertTrue(np.isnan(colors[0, 2]))
+
+    def test_channels(self):
+        many = np.zeros((48, 64, 7), np.float32)
+        with self.assertRaisesRegex(Error, "PCA"):
+            ximgproc.createSuperpixelGWatershed(many)
+
     def test_arrays_without_memory(self):
         image = make_image()
         gws = ximgproc.createSuperpixelGWatershed(image)
@@ -397,12 +444,16 @@ class gwatershed_test(TestCase):
         gws.setDesiredSuperpixels(77)
         gws.setRuler(3.5)
         gws.setAlpha(0.75)
-        gws.setDepthRange(400, 4000)
+        gws.setDepthRange(near_depth=400, far_depth=4000)
+        gws.setValueRange(low_value=-1000, high_value=3000)
         gws.setBorderThreshold(100)
         self.assertEqual(gws.getAlgorithm(), ximgproc.GWATERSHED)
         self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (77, 0))
         self.assertEqual((gws.getRuler(), gws.getAlpha()), (3.5, 0.75))
         self.assertEqual((gws.getNearDepth(), gws.getFarDepth()), (400, 4000))
+        self.assertEqual((gws.getLowValue(), gws.getHighValue()), (-1000, 3000))
+        self.assertRaises(Error, gws.setValueRange, 2, 1)
+        self.assertEqual((gws.getLowValue(), gws.getHighValue()), (-1000, 3000))
         self.assertEqual(gws.getBorderThreshold(), 100)
         gws.setRegionSize(9)
         self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (0, 9))

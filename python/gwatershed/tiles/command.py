@@ -4,6 +4,7 @@
 """The command gwatershed-tiles: superpixels of an image file of any size."""
 import argparse
 import sys
+import warnings
 from typing import List, Optional
 
 from .run import segment_file
@@ -13,8 +14,8 @@ EXAMPLES = """examples:
   gwatershed-tiles orthophoto.tif labels.tif --region-size 20
   gwatershed-tiles slide.zarr labels.zarr --region-size 30 --scheduler tcp://head:8786
 
-After it was stopped, the same command goes on where it was. The exit code is 0, 1 for an error, or 2 for wrong
-arguments."""
+After it was stopped, the same command goes on where it was. The exit code is 0, 1 for an error, 2 for wrong
+arguments, or 130 if it was stopped by Ctrl-C."""
 
 
 def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
@@ -40,13 +41,17 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
+    warnings.filterwarnings("ignore", "Dataset has no geotransform")  # a plain picture has none
     try:
         number = segment_file(
             parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,
             value_range=parsed.value_range, depth_range=parsed.depth_range, num_iterations=parsed.iterations,
             tile_size=parsed.tile_size, scheduler=parsed.scheduler, workers=parsed.workers,
             progress=not parsed.quiet, ruler=parsed.ruler)
-    except (OSError, ValueError, MemoryError, ImportError) as error:
+    except KeyboardInterrupt:
+        print("gwatershed-tiles: stopped; the same command goes on from here", file=sys.stderr)
+        return 130
+    except (OSError, ValueError, RuntimeError, MemoryError, ImportError) as error:
         print("gwatershed-tiles: %s" % error, file=sys.stderr)
         return 1
     if not parsed.quiet:

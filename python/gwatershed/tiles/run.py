@@ -5,12 +5,14 @@
 import json
 import os
 import shutil
-from contextlib import nullcontext
-from typing import Any, Optional, Sequence, Tuple
+from contextlib import contextmanager, nullcontext
+from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .sources import Source, is_zarr
+import gwatershed
+
+from .sources import Source, is_zarr, may_be_replaced, write_window
 from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
 
@@ -46,6 +48,10 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     depths = None if depth is None else Source.open(depth, single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
+    if os.path.abspath(output) in (source.name, depths and depths.name):
+        raise ValueError("output must be another file than image and depth")
+    if not may_be_replaced(output):
+        raise ValueError("output must not be a folder that is there and no array of Zarr, as %s is" % output)
     if depths is not None and depth_range is None:
         depth_range = depths.range()
     if depth_range is not None:
@@ -54,21 +60,22 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     tiling = Tiling.of(source.height, source.width, tile_size, region_size)
     job = Job(source, depths, value_range or source.range(), tiling, parameters, os.path.abspath(output) + ".part")
     _begin(job)
-    compute = _scheduler(scheduler, workers, progress)
-    number = _do_tiles(job, compute)
-    _write(job, output, start_label, compute)
+    with _scheduler(scheduler, workers, progress) as compute:
+        counts = _do_tiles(job, compute)
+        _number(job, counts, start_label)
+        _write(job, output, start_label, progress, compute)
     shutil.rmtree(job.store)
-    return number
+    return sum(counts)
 
 
 def _begin(job: Job) -> None:
     """Makes the store, or takes up one of the same job."""
     import zarr
     kept = os.path.join(job.store, "job.json")
-    description = json.dumps(json.loads(json.dumps(job.__dict__, default=lambda value: value.__dict__, sort_keys=True)))
+    description = json.loads(json.dumps(job.__dict__, default=lambda value: value.__dict__))
     if os.path.exists(kept):
         with open(kept) as file:
-            if file.read() != description:
+            if json.load(file) != description:
                 raise ValueError("%s is left from a run with another image or other parameters: remove it" % job.store)
         return
     shutil.rmtree(job.store, ignore_errors=True)
@@ -79,43 +86,63 @@ def _begin(job: Job) -> None:
     zarr.open(os.path.join(job.store, "counts"), mode="w", shape=(tiling.rows, tiling.columns), chunks=(1, 1),
               dtype=np.int64, fill_value=-1)
     with open(kept, "w") as file:
-        file.write(description)
+        json.dump(description, file)
 
 
-def _do_tiles(job: Job, compute: Any) -> int:
+def _do_tiles(job: Job, compute: Any) -> List[int]:
+    """The number of superpixels of each tile."""
     from dask import delayed
     do = delayed(do_tile, pure=False)
     tasks: Any = {}
     for tile in job.tiling.in_order():
         tasks[tile] = do(job, tile, *(tasks[other] for other in job.tiling.earlier_neighbours(tile)))
-    return int(sum(compute([tasks[tile] for tile in range(len(job.tiling))])))
+    return list(compute([tasks[tile] for tile in range(len(job.tiling))]))
 
 
-def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Any:
+def _number(job: Job, counts: List[int], start_label: int) -> None:
+    """Stores the first label of each tile, after that of pixels without a tile. It is one chunk, read for each tile."""
+    import zarr
+    firsts = np.cumsum([start_label - 1, 1] + counts[:-1])
+    zarr.open(os.path.join(job.store, "firsts"), mode="w", shape=firsts.shape, chunks=firsts.shape,
+              dtype=np.int64)[:] = firsts
+
+
+@contextmanager
+def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Iterator[Any]:
     """A function that computes a list of tasks."""
+    if isinstance(scheduler, str) and scheduler in ("threads", "processes", "single-threaded"):
+        threads = gwatershed.getNumThreads()  # the tasks change it
+        try:
+            options = {"chunksize": 1} if scheduler == "processes" else {}  # a process would take six tiles at once
+            yield lambda tasks: _compute_here(tasks, progress, scheduler=scheduler, num_workers=workers, **options)
+        finally:
+            gwatershed.setNumThreads(threads)
+        return
+    from dask.distributed import Client
+    with Client(scheduler) if isinstance(scheduler, str) else nullcontext(scheduler) as client:
+        yield lambda tasks: _compute_there(tasks, progress, client)
+
+
+def _compute_here(tasks: Any, progress: bool, **options: Any) -> Any:
     import dask
     from dask.diagnostics import ProgressBar
-    if isinstance(scheduler, str) and scheduler in ("threads", "processes", "single-threaded"):
-        def compute_here(tasks: Any) -> Any:
-            with ProgressBar() if progress else nullcontext():
-                return dask.compute(*tasks, scheduler=scheduler, num_workers=workers)
-        return compute_here
-    from dask.distributed import Client, progress as show
-    client = Client(scheduler) if isinstance(scheduler, str) else scheduler
-
-    def compute_there(tasks: Any) -> Any:
-        futures = client.compute(tasks)
-        if progress:
-            show(futures)
-        return client.gather(futures)
-    return compute_there
+    with ProgressBar() if progress else nullcontext():
+        return dask.compute(*tasks, **options)
 
 
-def _write(job: Job, output: str, start_label: int, compute: Any) -> None:
+def _compute_there(tasks: Any, progress: bool, client: Any) -> Any:
+    futures = client.compute(tasks)
+    if progress:
+        from dask.distributed import progress as show
+        show(futures)
+    return client.gather(futures)
+
+
+def _write(job: Job, output: str, start_label: int, progress: bool, compute: Any) -> None:
     if is_zarr(output):
         _write_zarr(job, output, start_label, compute)
     else:
-        _write_raster(job, output, start_label)
+        _write_raster(job, output, start_label, progress)
 
 
 def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
@@ -126,25 +153,23 @@ def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
     zarr.open(final, mode="w", shape=(tiling.height, tiling.width), chunks=(tiling.chunk, tiling.chunk),
               dtype=np.int64, fill_value=start_label - 1)
     do = delayed(number_tile, pure=False)
-    compute([do(job, tile, start_label) for tile in range(len(tiling))])
+    compute([do(job, tile) for tile in range(len(tiling))])
     shutil.rmtree(output, ignore_errors=True)
     os.replace(final, output)
 
 
-def _write_raster(job: Job, output: str, start_label: int) -> None:
+def _write_raster(job: Job, output: str, start_label: int, progress: bool) -> None:
     """One file has one writer, which goes by rows of the store's chunks."""
     import rasterio
-    from rasterio.windows import Window as RasterWindow
+    from dask import delayed
     tiling = job.tiling
     part = os.path.join(job.store, "final.tif")
     with rasterio.open(part, "w", driver="GTiff", height=tiling.height, width=tiling.width, count=1, dtype="int64",
                        nodata=start_label - 1, tiled=True, blockxsize=256, blockysize=256, compress="deflate",
                        bigtiff="if_safer", **job.image.georeference()) as file:
         side = -(-tiling.chunk // 256) * 256
-        for top in range(0, tiling.height, side):
-            for left in range(0, tiling.width, 4 * side):
-                window = Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
-                height, width = window.shape
-                file.write(final_labels(job, window, start_label), 1,
-                           window=RasterWindow(left, top, width, height))
+        windows = [Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
+                   for top in range(0, tiling.height, side) for left in range(0, tiling.width, 4 * side)]
+        write = delayed(lambda window: write_window(file, window, final_labels(job, window)), pure=False)
+        _compute_here([write(window) for window in windows], progress, scheduler="single-threaded")
     os.replace(part, output)

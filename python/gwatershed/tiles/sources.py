@@ -18,13 +18,19 @@ def is_zarr(name: str) -> bool:
     return name.rstrip("/").endswith(".zarr") or os.path.isdir(name)
 
 
+def may_be_replaced(name: str) -> bool:
+    """Whether it is no folder, or no other one than that of an array."""
+    return not os.path.isdir(name) or any(os.path.exists(os.path.join(name, part)) for part in (".zarray", "zarr.json"))
+
+
 @dataclass(frozen=True)
 class Source:
     """Bands of a file. Workers open it themselves: only the name travels."""
-    name: str
+    name: str               # absolute, as workers of a cluster start in other folders
     bands: Tuple[int, ...]  # from 1 on, as GDAL counts
     height: int
     width: int
+    modified: int           # so that a run is not taken up with another image of the same name
 
     @staticmethod
     def open(name: str, bands: Optional[Tuple[int, ...]] = None, single: bool = False) -> "Source":
@@ -34,7 +40,9 @@ class Source:
             bands = (1, 2, 3) if count >= 3 and not single else (1,)
         if len(bands) not in (1, 3) or not all(1 <= band <= count for band in bands):
             raise ValueError("bands must be one or three of the %d of %s, not %s" % (count, name, list(bands)))
-        return Source(name, tuple(bands), height, width)
+        name = name if "://" in name else os.path.abspath(name)
+        modified = os.stat(name).st_mtime_ns if os.path.exists(name) else 0
+        return Source(name, tuple(bands), height, width, modified)
 
     def read(self, window: Window) -> Any:
         """height x width, or height x width x 3; and whether a pixel is valid."""
@@ -56,8 +64,7 @@ class Source:
     def _read_raster(self, window: Window) -> Any:
         import rasterio
         from rasterio.windows import Window as RasterWindow
-        height, width = window.shape
-        place = RasterWindow(window.left, window.top, width, height)
+        place = RasterWindow(window.left, window.top, *window.shape[::-1])
         with rasterio.open(self.name) as file:
             pixels = file.read(list(self.bands), window=place)
             valid = file.dataset_mask(window=place) != 0
@@ -69,7 +76,10 @@ class Source:
             return {}
         import rasterio
         with rasterio.open(self.name) as file:
-            return {"crs": file.crs, "transform": file.transform}
+            points, crs = file.gcps
+            if points:
+                return {"crs": crs, "gcps": points}
+            return {"crs": file.crs} if file.transform.is_identity else {"crs": file.crs, "transform": file.transform}
 
     def range(self) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are."""
@@ -86,6 +96,12 @@ class Source:
         pixels, valid = self.read(Window(y, 0, y + 1, self.width))
         step = max(self.width // SAMPLES_IN_A_ROW, 1)
         return pixels[0, ::step][valid[0, ::step]].ravel()
+
+
+def write_window(file: Any, window: Window, values: Any) -> None:
+    """Into the first band of an open raster."""
+    from rasterio.windows import Window as RasterWindow
+    file.write(values, 1, window=RasterWindow(window.left, window.top, *window.shape[::-1]))
 
 
 def _raster_shape(name: str) -> Tuple[int, int, int]:

@@ -4,7 +4,7 @@
 """The work on one tile. Done twice, or by another worker, it gives the same.
 
 While tiles are being done, a pixel has the number of the tile that labelled it and its label there, so tiles need not
-know how many superpixels the others have. At the end a table of a row for each tile makes them 1..N.
+know how many superpixels the others have. At the end a table of the first label of each tile makes them 1..N.
 """
 import os
 from dataclasses import dataclass
@@ -50,14 +50,14 @@ def do_tile(job: Job, tile: int, *waited_for: Any) -> int:
     free = valid & (labelled == 0)
     labels = _segment(job, window, pixels, free)
     kept = _kept(job.tiling, tile, labels)
-    numbers = np.cumsum(kept) - 1
-    inside = labels >= 0
-    inside[inside] = kept[labels[inside]]
-    labelled[inside] = (tile + 1 << LABEL_BITS) + numbers[labels[inside]]
-    if inside.any() or own.any():
+    count = int(kept.sum())
+    numbers = np.zeros(len(kept) + 1, np.int64)  # the last for -1, outside of the mask
+    numbers[:-1][kept] = (tile + 1 << LABEL_BITS) + np.arange(count)
+    labelled |= numbers[labels]
+    if count or own.any():
         job.open("labels")[window.slices] = labelled
-    counts[row, column] = int(kept.sum())
-    return int(kept.sum())
+    counts[row, column] = count
+    return count
 
 
 def _segment(job: Job, window: Any, pixels: Any, free: Any) -> Any:
@@ -86,15 +86,15 @@ def _kept(tiling: Tiling, tile: int, labels: Any) -> Any:
     return kept
 
 
-def number_tile(job: Job, tile: int, first: int) -> None:
-    """Writes the final labels of a tile, `first` for the first superpixel of the first tile; others are first - 1."""
+def number_tile(job: Job, tile: int) -> None:
+    """Writes the final labels of a tile."""
     window = job.tiling.core(tile)
-    job.open("final")[window.slices] = final_labels(job, window, first)
+    job.open("final")[window.slices] = final_labels(job, window)
 
 
-def final_labels(job: Job, window: Any, first: int) -> Any:
+def final_labels(job: Job, window: Any) -> Any:
     labelled = job.open("labels")[window.slices]
-    counts = job.open("counts")[:].ravel()
-    before = np.concatenate([[0], np.cumsum(counts)[:-1]]) + first
     owners = labelled >> LABEL_BITS
-    return np.where(owners > 0, before[np.maximum(owners - 1, 0)] + (labelled & LABEL_MASK), first - 1)
+    labelled &= LABEL_MASK
+    labelled += job.open("firsts")[:][owners]
+    return labelled

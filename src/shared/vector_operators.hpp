@@ -1,0 +1,36 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_VECTOR_OPERATORS_HPP
+#define OPENCV_GWATERSHED_VECTOR_OPERATORS_HPP
+
+#include "precomp.hpp"
+#include <opencv2/core/hal/intrin.hpp>
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! @file Depending on its version, OpenCV has functions or operators for these operations on vectors. The function is
+//! taken where there is one.
+
+template <typename V> inline auto chooseAnd(const V& a, const V& b, int) -> decltype(v_and(a, b))
+{
+    return v_and(a, b);
+}
+template <typename V> inline V chooseAnd(const V& a, const V& b, long) { return a & b; }
+
+template <typename V> inline auto chooseSub(const V& a, const V& b, int) -> decltype(v_sub(a, b))
+{
+    return v_sub(a, b);
+}
+template <typename V> inline V chooseSub(const V& a, const V& b, long) { return a - b; }
+
+//! The bits of both.
+template <typename V> inline V bitAnd(const V& a, const V& b) { return chooseAnd(a, b, 0); }
+
+//! a - b; saturated for elements of 8 and 16 bits.
+template <typename V> inline V subtract(const V& a, const V& b) { return chooseSub(a, b, 0); }
+
+}}} // namespace
+
+#endif
