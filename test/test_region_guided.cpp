@@ -132,7 +132,7 @@ TEST(ximgproc_SuperpixelGWatershed, takes_lab_input_as_it_is)
 {
     const int SCENES = 10;
     Mat lab;
-    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(120, 90, 3, 108, RGWATERSHED);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(120, 90, 3, 42, RGWATERSHED);
     double ev_as_bgr = 0, ev_as_lab = 0;
     EXPECT_FALSE(gws->getLabInput());
     for (int i = 0; i < SCENES; i++)

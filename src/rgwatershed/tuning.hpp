@@ -77,7 +77,7 @@ inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler)
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
 inline int markersPerSuperpixel(double blocks_per_superpixel)
 {
-    return blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 16 ? 3 : 4;
+    return blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3 : 4;
 }
 
 //! Sweeps of the blocks that were flooded.

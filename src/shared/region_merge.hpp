@@ -59,7 +59,7 @@ struct MergeBand
 struct MergeBuffers
 {
     MergeGraph graph;
-    std::vector<int64> squares;     // of each region: sum of the squared colours, weighted; empty: variances do not count
+    std::vector<int64> squares;     // of each region: sum of its squared colours, weighted; empty: no variances
     std::vector<MergeBand> bands;
     std::vector<MergeRegion> records;
     std::vector<uint64> best;       // of each region: the price of its cheapest union
