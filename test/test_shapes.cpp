@@ -75,13 +75,15 @@ enum PatternKind { BOARD, UPRIGHT_STRIPES, LEVEL_STRIPES, SLANTED_STRIPES, BOARD
 
 Mat makePattern(PatternKind kind, int side, bool colored)
 {
-    const Vec3b colors[2][2] = { { Vec3b(60, 60, 60), Vec3b(200, 200, 200) }, { Vec3b(40, 60, 190), Vec3b(170, 200, 60) } };
+    const Vec3b colors[2][2] = { { Vec3b(60, 60, 60), Vec3b(200, 200, 200) },
+                                 { Vec3b(40, 60, 190), Vec3b(170, 200, 60) } };
     Mat image(240, 320, CV_8UC3);
     for (int y = 0; y < image.rows; y++)
         for (int x = 0; x < image.cols; x++)
         {
             const double farther = kind == BOARD_IN_PERSPECTIVE ? 3 - 2. * y / image.rows : 1;
-            const int column = cvFloor((x - 160) * farther / side), row = cvFloor((farther > 1 ? 400 * farther : y) / side);
+            const int column = cvFloor((x - 160) * farther / side);
+            const int row = cvFloor((kind == BOARD_IN_PERSPECTIVE ? 400 * farther : y) / side);
             const int square = kind == UPRIGHT_STRIPES ? column
                              : kind == LEVEL_STRIPES ? row : kind == SLANTED_STRIPES ? (x + y) / side : column + row;
             image.at<Vec3b>(y, x) = colors[colored][square & 1];

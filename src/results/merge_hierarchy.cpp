@@ -9,7 +9,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, 2.6f, 1, 1 };
+static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1 };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).

@@ -31,8 +31,8 @@ public:
         }
     }
 
-    //! features: of left, top, right and bottom; offset: from the block to the marker of the region; excess: levels that
-    //! are added.
+    //! features: of left, top, right and bottom; offset: from the block to the marker of the region; excess: levels
+    //! that are added.
     v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset, int excess) const
     {
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
@@ -83,8 +83,8 @@ public:
     RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
                 const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
-          priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()), first_(labels.index(Point(-1, rows.start - 1))),
-          queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
+          priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()),
+          first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
     {
         queues_.clear();
         waiting_.assign(size_t(step_) * (rows.size() + 2), short(CLOSED));
@@ -128,8 +128,8 @@ private:
         return bits;
     }
 
-    //! A region that holds both colours of a pattern is nearer to all blocks than others, which wait for their first block
-    //! of the other colour. So it must not grow without end.
+    //! A region that holds both colours of a pattern is nearer to all blocks than others, which wait for their first
+    //! block of the other colour. So it must not grow without end.
     int excessOf(const FloodRegion& region) const
     {
         const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES / 4; // a priority is a quarter of a level
@@ -175,8 +175,8 @@ private:
 
 //! Floods some rows from seeds, by regions that are ready in the buffers.
 static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
-                      const Range& rows, const Point* first_seed, const Point* end_seed, FloodBuffers& buffers, FloodBuffers::Band& band,
-                      Padded<int>& labels)
+                      const Range& rows, const Point* first_seed, const Point* end_seed, FloodBuffers& buffers,
+                      FloodBuffers::Band& band, Padded<int>& labels)
 {
     if (distance.with_depth)
         RegionFlood<true>(features, distance, ruler, usual_area, rows, buffers.regions, band, labels)

@@ -63,8 +63,8 @@ static int countRows(Size size, int n)
     const double square = std::sqrt(double(n) * size.height / size.width);
     int best = std::max(fewest, std::min(cvRound(square), most));
     double least = MOST_STRETCHED;
-    for (int rows = std::max(fewest, cvCeil(square / (1 + least))); rows <= std::min(most, cvFloor(square * (1 + least)));
-         rows++)
+    const int last = std::min(most, cvFloor(square * (1 + least)));
+    for (int rows = std::max(fewest, cvCeil(square / (1 + least))); rows <= last; rows++)
     {
         const double stretched = std::max(rows / square, square / rows) - 1;
         if (n % rows != 0 || stretched >= least)

@@ -12,14 +12,14 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
-static const int64 UNKNOWN_VARIANCE = 120 * 256;
+static const int UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
 
-// The noise of the cost between regions of the same cell of the grid of markers.
-// So these are united first where colours are even, and superpixels are the cells of the grid there.
-static const float NOISE_IN_CELL = 1.f / 256;
+// The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
+// first where colours are even, and superpixels are the cells of the grid there.
+enum { NOISE_IN_CELL = 48 };
 
-enum { EXCESS = 8 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
+enum { EXCESS = 16 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
 static inline int logarithm(float value)
@@ -62,27 +62,28 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! the boundary, l its length, L the lightness of the means, m that of the union:
 //!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
-//!     max(1, (n1 + n2) / usual area)^8,   V = v1 + v2 + 16
+//!     max(1, (n1 + n2) / usual area)^16,   V = v1 + v2 + 16
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
-//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good as
-//! (d^2 + 4 noise). Without the
-//! last factor, what holds both colours of a pattern is nearer to all around it than these are to each other, and takes
-//! in one after the other. The cost is the same for both orders of the regions.
+//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
+//! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
+//! these are to each other, and takes in one after the other. The cost is the same for both orders of the regions.
+//! @note The sum with the noise is one of integers: compilers may round a product and a sum of floats once or twice.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
                             const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
-    const float noise = a.cell == b.cell ? NOISE_IN_CELL : rules.noise;
-    const float variance = a.variance + b.variance + 16 * 256;
+    const int noise = a.cell == b.cell ? int(NOISE_IN_CELL) : rules.noise;
+    const int variance = a.variance + b.variance + 16 * 256;
+    const int64 noisy_distance = 64 * int64(squared_distance) + ((noise * int64(variance)) >> 8);
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
-    return rules.distance * (logarithm(64 * float(squared_distance) + noise * variance) - logarithm(variance)) +
+    return rules.distance * (logarithm(float(noisy_distance)) - logarithm(float(variance))) +
            EXCESS * std::max(0, log_union - log_usual_area) +
            rules.areas * (a.log_area + b.log_area - log_union) +
            rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
            rules.brightness * (logarithm(a.light + b.light) - log_union) +
-           rules.texture * logarithm(std::max(a.variance, b.variance) + 8 * 256);
+           rules.texture * logarithm(float(std::max(a.variance, b.variance) + 8 * 256));
 }
 
 //! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
@@ -217,7 +218,7 @@ MergeRegion SimilarMerger::describe(int region) const
     const RegionSum& sum = regions_.sums[region];
     const float area = float(sum.area);
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
-                           float(b_.squares.empty() ? UNKNOWN_VARIANCE : variance(region)),
+                           b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
                            float(sum.color[0] + 16 * int64(sum.area)), region / rules_.in_cell };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
@@ -367,10 +368,10 @@ void SimilarMerger::choose(size_t count)
 
 //! Each region may go into its best neighbour, also if it is not the best one of that, the cheapest first, unless one
 //! of them went before, or the first one took in others. What many want to go into stays, so that no round does little.
-//! What took in so many that it is larger than usual takes in no more.
+//! What took in so many that it is larger than usual, and twice as large as it was, takes in no more.
 void SimilarMerger::chooseOneSided(double share, size_t most)
 {
-    const int MANY = 16;
+    const int MANY = 16, DOUBLED = 256;
     std::vector<MergePair> wishes;
     std::vector<int> votes(regions_.size(), 0);
     for (size_t k = 0; k < b_.bands.size(); k++)
@@ -394,7 +395,8 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
         if (votes[wish.from] > MANY || states[wish.from] != 0 || states[wish.to] == GONE)
             continue;
         const float area = std::max(areas[wish.to], b_.records[wish.to].area) + b_.records[wish.from].area;
-        if (states[wish.to] == TOOK && logarithm(area) > log_usual_area_)
+        if (states[wish.to] == TOOK &&
+            logarithm(area) > std::max(log_usual_area_, b_.records[wish.to].log_area + DOUBLED))
             continue;
         areas[wish.to] = area;
         states[wish.from] = GONE;

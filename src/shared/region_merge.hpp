@@ -20,7 +20,7 @@ struct MergeRules
     int brightness; //!< makes it cheap, because bright colours differ more
     int texture;    //!< the larger variance: rough regions should not take in others
     float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
-    float noise;    //!< a squared distance that means little, in parts of the variance
+    int noise;      //!< a squared distance that means little, in 1/256 of the variance
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
 };
 
@@ -30,7 +30,7 @@ struct MergeRegion
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
-    float variance; //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
+    int variance;  //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
     int cell;      //!< of the grid of markers, in which the region began
 };
@@ -105,7 +105,7 @@ private:
 
     const RegionDistance distance_;
     const MergeRules rules_;
-    int64 area_;        // of all regions
+    int64 area_;         // of all regions
     int log_usual_area_; // above it, unions are expensive
     MergeBuffers& b_;
     Regions& regions_;
