@@ -77,7 +77,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::MergeBuffers merge_buffers;
     sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
-    gws::mergeSimilarRegions(plan.num_superpixels, plan.flood_distance, plan.merge_rules, merge_buffers, labels,
+    gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, plan.merge_rules, merge_buffers, labels,
                              regions);
     steps.merged = labels.view(CV_32SC1).clone();
 

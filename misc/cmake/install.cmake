@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gwatershed)
 install(CODE "set(directories
-  [[${package_dir}]] [[${CMAKE_INSTALL_LIBDIR}/pkgconfig]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2]])")
+  [[${package_dir}]] [[${CMAKE_INSTALL_LIBDIR}/pkgconfig]] [[${CMAKE_INSTALL_INCLUDEDIR}/opencv2/gwatershed]])")
 install(CODE "set(build_dir [[${PROJECT_BINARY_DIR}]])")
 install(SCRIPT misc/cmake/note_directories.cmake)
 

@@ -16,8 +16,11 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
 
-// Bands of a group are swept by one thread: as many groups as threads may need, as few lists as that allows.
-enum { FEWEST_BANDS = 2, MOST_GROUPS = 16 };
+// Bands of a group are swept by one thread. Labels do not depend on the groups: there are as many as the threads need,
+// because each has lists of its own.
+enum { FEWEST_BANDS = 2 };
+
+static int countGroups() { return getNumThreads() > 1 ? 2 * getNumThreads() : 1; }
 
 //! Rows of quads that a class is looked at in.
 struct ClassRows
@@ -226,7 +229,8 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     CV_TRACE_FUNCTION();
     const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
     const RegionChoice choice(features, labels, masks_, regions.means, rules.distance, rules.length_price);
-    bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + MOST_GROUPS - 1) / MOST_GROUPS);
+    const int most_groups = countGroups();
+    bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + most_groups - 1) / most_groups);
     lists_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
     moves_.resize(2 * num_bands - 1);
     for (size_t i = 0; i < moves_.size(); i++)
@@ -261,7 +265,7 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
     moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
     if (rules.last)
         return;
-    const int stripes = getNumThreads() > 1 ? 8 : 1, n = regions.size(); // each reads the moves anew
+    const int stripes = countGroups(), n = regions.size(); // each reads the moves anew
     parallel_for_(Range(0, stripes), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)

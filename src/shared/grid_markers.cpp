@@ -7,10 +7,10 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
-//! cell. Of equal ones the nearest to the centre, then to that of the image, so that a mirrored image has the mirrored
-//! ones. It lies in the cell, so no two markers are at the same place.
+//! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in
+//! raster order. It lies in the cell, so no two markers are at the same place.
 //! @note The paper asks for local minima of the gradient and gives no rule.
-static Point findMarker(const Mat& gradient, const Rect& cell)
+static Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
 {
     const Point center2(2 * cell.x + cell.width - 1, 2 * cell.y + cell.height - 1); // twice the centre
     const int rx = cell.width > 2 ? std::max(cell.width / 4, 1) : 0;
@@ -29,7 +29,7 @@ static Point findMarker(const Mat& gradient, const Rect& cell)
                 continue;
             const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y;
             const int64 from_middle = std::abs(2 * x + 1 - gradient.cols) + std::abs(2 * y + 1 - gradient.rows);
-            const int64 away = ((dx * dx + dy * dy) << 32) + from_middle;
+            const int64 away = ((dx * dx + dy * dy) << 32) + (symmetric ? from_middle : 0);
             if (row[x] < smallest || away < nearest)
             {
                 best = Point(x, y);
@@ -53,11 +53,11 @@ static int divideEvenly(int length, int i, int n)
     return int((2 * int64(length) * i + n - (2 * i < n)) / (2 * n));
 }
 
-//! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken, so that
-//! cells lie one below the other and a transposed image has the transposed grid.
-static int countRows(Size size, int n)
+//! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken in a
+//! symmetric grid, so that cells lie one below the other and a transposed image has the transposed grid.
+static int countRows(Size size, int n, bool symmetric)
 {
-    const double MOST_STRETCHED = 0.08;
+    const double MOST_STRETCHED = symmetric ? 0.08 : 0;
     const int fewest = (n + size.width - 1) / size.width; // rows, at least, for n cells
     const int most = std::min(size.height, n);
     const double square = std::sqrt(double(n) * size.height / size.width);
@@ -75,8 +75,13 @@ static int countRows(Size size, int n)
     return best;
 }
 
+MarkerGrid::MarkerGrid(Size size_, int num_cells_)
+    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)), parts(1, 1), symmetric(false)
+{
+}
+
 MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
-    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_)), parts(1, 1)
+    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)), parts(1, 1), symmetric(true)
 {
     int height = int(std::sqrt(double(markers_in_cell)));
     while (markers_in_cell % height != 0)
@@ -88,7 +93,12 @@ MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
         return;
     }
     num_cells *= markers_in_cell;
-    rows = countRows(size, num_cells);
+    rows = countRows(size, num_cells, true);
+}
+
+int MarkerGrid::limit(int length, int i, int n) const
+{
+    return symmetric ? divideEvenly(length, i, n) : divide(length, i, n);
 }
 
 void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands)
@@ -97,8 +107,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     bands.clear();
     for (int i = 0, first = 0; i < grid.rows; i++)
     {
-        const int top = divideEvenly(grid.size.height, first, grid.rows);
-        const int bottom = divideEvenly(grid.size.height, i + 1, grid.rows);
+        const int top = grid.limit(grid.size.height, first, grid.rows);
+        const int bottom = grid.limit(grid.size.height, i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
@@ -116,13 +126,13 @@ static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int
     for (int i = 0; i < parts.height; i++)
     {
         const int part_row = row * parts.height + i;
-        const int top = divideEvenly(grid.size.height, part_row, grid.rows * parts.height);
-        const int bottom = divideEvenly(grid.size.height, part_row + 1, grid.rows * parts.height);
+        const int top = grid.limit(grid.size.height, part_row, grid.rows * parts.height);
+        const int bottom = grid.limit(grid.size.height, part_row + 1, grid.rows * parts.height);
         for (int k = 0, left = 0, right; k < columns; k++, left = right)
         {
-            right = divideEvenly(grid.size.width, k + 1, columns);
+            right = grid.limit(grid.size.width, k + 1, columns);
             markers[(first + k / parts.width) * parts.area() + i * parts.width + k % parts.width] =
-                    findMarker(gradient, Rect(Point(left, top), Point(right, bottom)));
+                    findMarker(gradient, Rect(Point(left, top), Point(right, bottom)), grid.symmetric);
         }
     }
 }

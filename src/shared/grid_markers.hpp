@@ -13,14 +13,19 @@ namespace cv { namespace ximgproc { namespace gws {
 //! a marker in each. Markers have consecutive numbers in a cell.
 struct MarkerGrid
 {
-    //! At most one marker for each pixel. If cells are too small for so many parts, there are as many cells as markers.
+    //! One marker in each cell.
+    MarkerGrid(Size size, int num_cells);
+    //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many cells as markers.
     MarkerGrid(Size size, int num_cells, int markers_in_cell);
 
     int numMarkers() const { return num_cells * parts.area(); }
+    //! The i-th of the n + 1 limits that divide a side of the image into n equal parts.
+    int limit(int length, int i, int n) const;
 
     Size size;      //!< of the image
     int num_cells, rows;
     Size parts;     //!< of each cell
+    bool symmetric; //!< a mirrored image has the mirrored grid
 };
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);

@@ -209,7 +209,8 @@ public:
     and V = v_a + v_b + 16; n the number of pixels, l the length of the common boundary in pixel edges, and h the
     contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. u is 3.2
     times the mean number of pixels of the superpixels that are left, whose number counts with all but its two highest
-    bits cleared. L are the mean lightnesses, and that of both together, from 0 to 255. The distances are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
+    bits cleared. L are the mean lightnesses, and that of both together, from 0 to 255. The distances are in 8-bit
+    levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
     setLabInput(true); alpha weighs depth. The terms of lightness count less beside depth, and not at all at an alpha
     of 0.5 or less.
 
