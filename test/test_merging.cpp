@@ -75,7 +75,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
                           0.84 * straightLog(16 * std::abs(d[0]) + 7) -
                           0.87 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
                           0.61 * straightLog(std::max(va, vb) + 8) +
-                          16 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
+                          32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
     }
     return costs;
 }

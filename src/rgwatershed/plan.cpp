@@ -55,7 +55,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
-    most_area = frame.markers.empty() ? MOST_AREA * frame.num_pixels / frame.num_superpixels : double(INT_MAX);
+    const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
+    most_area = frame.markers.empty() ? MOST_AREA * pixels_in_blocks / num_superpixels : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
     sweep.length_price = boundaryPrice(PRICE, side, ruler);

@@ -84,7 +84,8 @@ public:
                 const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
           priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()),
-          first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
+          first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch),
+          waiting_(band.waiting)
     {
         queues_.clear();
         waiting_.assign(size_t(step_) * (rows.size() + 2), short(CLOSED));

@@ -15,7 +15,8 @@ struct MarkerGrid
 {
     //! One marker in each cell.
     MarkerGrid(Size size, int num_cells);
-    //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many cells as markers.
+    //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many
+    //! cells as markers.
     MarkerGrid(Size size, int num_cells, int markers_in_cell);
 
     int numMarkers() const { return num_cells * parts.area(); }

@@ -19,7 +19,7 @@ static const uint64 NO_PRICE = ~uint64(0);
 // first where colours are even, and superpixels are the cells of the grid there.
 enum { NOISE_IN_CELL = 48 };
 
-enum { EXCESS = 16 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
+enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
 static inline int logarithm(float value)
@@ -62,7 +62,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! the boundary, l its length, L the lightness of the means, m that of the union:
 //!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
-//!     max(1, (n1 + n2) / usual area)^16,   V = v1 + v2 + 16
+//!     max(1, (n1 + n2) / usual area)^32,   V = v1 + v2 + 16
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
 //! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
 //! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than

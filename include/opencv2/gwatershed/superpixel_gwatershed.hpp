@@ -204,7 +204,7 @@ public:
     texture and size:
     @f[ (64 d^2 / V + 1.25)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.3} (h + 1)^{0.97}
         \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1.02} (|L_a - L_b| + 1)^{-0.84} (L + 16)^{-0.87}
-        (\max(v_a, v_b) + 8)^{0.61} \max(1, (n_a + n_b) / u)^{16} @f]
+        (\max(v_a, v_b) + 8)^{0.61} \max(1, (n_a + n_b) / u)^{32} @f]
     d is the distance of the mean colours and depths (Euclidean), v the variance of the colours in each of the two,
     and V = v_a + v_b + 16; n the number of pixels, l the length of the common boundary in pixel edges, and h the
     contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. u is 3.2
