@@ -149,6 +149,17 @@ py::tuple getStatistics(Session& session, const OptionalArray& image, const Opti
                           giveArray(tables[2], mean_colors), giveArray(tables[3], mean_depths));
 }
 
+py::tuple getSurfaces(Session& session, const OptionalArray& depth, const py::object& positions,
+                      const py::object& normals)
+{
+    const Pixels depths = takePixels(depth, "depth");
+    Mat tables[] = {takeOutput(positions, "positions"), takeOutput(normals, "normals")};
+    session.call([&](SuperpixelGWatershed& superpixels) {
+        superpixels.getSurfaces(depths.matrix, tables[0], tables[1]);
+    });
+    return py::make_tuple(giveArray(tables[0], positions), giveArray(tables[1], normals));
+}
+
 py::tuple getAdjacency(Session& session, const OptionalArray& image, const OptionalArray& depth,
                        const py::object& pairs, const py::object& lengths, const py::object& contrasts)
 {
@@ -205,6 +216,8 @@ void bindResults(SessionClass& to)
     to.def("getStatistics", getStatistics, py::arg("image"), py::arg("depth"), py::arg("stats") = none,
            py::arg("centroids") = none, py::arg("mean_colors") = none, py::arg("mean_depths") = none,
            "Area and bounding box, centroid, mean colour and mean depth of each superpixel.");
+    to.def("getSurfaces", getSurfaces, py::arg("depth"), py::arg("positions") = none, py::arg("normals") = none,
+           "Mean point and unit normal of the surface of each superpixel.");
     to.def("getAdjacency", getAdjacency, py::arg("image"), py::arg("depth"), py::arg("pairs") = none,
            py::arg("lengths") = none, py::arg("contrasts") = none,
            "Pairs of superpixels that touch, the lengths of their boundaries, and the contrasts across them.");

@@ -110,6 +110,14 @@ void bindParameters(SessionClass& to)
               "Whether images come as lightness and two colour differences.");
     bindValue(to, "temporal", "Temporal", &S::setTemporal, &S::getTemporal,
               "Whether superpixels keep their labels from frame to frame.");
+    bindDefaulted(to, "normal_weight", "NormalWeight", &S::setNormalWeight, &S::getNormalWeight, 0.2f,
+                  "Weight of normals against depth, in [0, 1]; 0: depth as it is.");
+    bindValue(to, "depth_adaptive", "DepthAdaptive", &S::setDepthAdaptive, &S::getDepthAdaptive,
+              "Whether superpixels have about the same area on the surface.");
+    bindRange(to, "focal_length", "FocalLength", &S::setFocalLength, "fx", "fy",
+              "The focal length in pixels; both 0: a usual one.");
+    bindEnd(to, "getFocalLengthX", &S::getFocalLengthX, "The focal length along x.");
+    bindEnd(to, "getFocalLengthY", &S::getFocalLengthY, "The focal length along y; 0: as along x.");
     bindDefaulted(to, "border_threshold", "BorderThreshold", &S::setBorderThreshold, &S::getBorderThreshold, 150.f,
                   "Gradient from which a pixel is a border; for GWATERSHED.");
     bindRange(to, "depth_range", "DepthRange", &S::setDepthRange, "near_depth", "far_depth",

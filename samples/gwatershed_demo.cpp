@@ -26,6 +26,7 @@ static const char* const KEYS =
     "{k superpixels  | 0   | number of superpixels, instead of region_size if not 0 }"
     "{r ruler        | 10  | compactness }"
     "{a alpha        | 0.5 | weight of colour against depth }"
+    "{f focal        | 0   | focal length of the depth camera in pixels; 0: 0.8 of the longer side of the image }"
     "{n iterations   | 1   | number of iterations }";
 
 static Mat drawContours(const Mat& image, const SuperpixelGWatershed& gws)
@@ -156,6 +157,7 @@ int main(int argc, char** argv)
     const int num_superpixels = parser.get<int>("superpixels"), iterations = parser.get<int>("iterations");
     const float alpha = parser.get<float>("alpha"), ruler = parser.get<float>("ruler");
     const int region_size = parser.get<int>("region_size");
+    const float focal = parser.get<float>("focal");
     if (!parser.check())
     {
         parser.printErrors();
@@ -179,6 +181,7 @@ int main(int argc, char** argv)
         {
             Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size, ruler);
             gws->setAlpha(alpha);
+            gws->setFocalLength(focal);
             if (num_superpixels > 0)
                 gws->setDesiredSuperpixels(num_superpixels);
             segmentFile(image, depth, *gws, iterations, output);

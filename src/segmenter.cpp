@@ -16,14 +16,28 @@ Mat convertInside(const Mat& image, const Mat& mask, const Parameters& parameter
     return convertImage(image, mask, range, buffer);
 }
 
+//! Depth that is missing outside of the mask.
+static Mat keepInside(const Mat& depth, const Mat& mask)
+{
+    if (depth.empty() || mask.empty())
+        return depth;
+    Mat inside(depth.size(), depth.type(), Scalar(0));
+    depth.copyTo(inside, mask);
+    return inside;
+}
+
 Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters, Mat& buffer)
 {
     const FloatRange range = { parameters.near_depth, parameters.far_depth };
-    if (depth.empty() || mask.empty())
-        return scaleDepth(depth, range, buffer);
-    Mat inside(depth.size(), depth.type(), Scalar(0));
-    depth.copyTo(inside, mask);
-    return scaleDepth(inside, range, buffer);
+    return scaleDepth(keepInside(depth, mask), range, buffer);
+}
+
+//! Whether depth is metric, or shall be taken as such.
+static bool usesSurfaces(const Mat& depth, const Parameters& parameters)
+{
+    const bool is_metric = depth.depth() != CV_8U && depth.depth() != CV_16S;
+    return !depth.empty() && parameters.algorithm == RGWATERSHED && parameters.normal_weight > 0 &&
+           (is_metric || parameters.focal_x > 0);
 }
 
 void Segmenter::reserve(int algorithm, Size size)
@@ -57,7 +71,10 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
     if (frame.num_pixels < bounds.area())
         frame.mask = result.mask.pixels(bounds);
     frame.color = convertInside(image, frame.mask, result.parameters, converted_);
-    frame.depth = scaleInside(depth, frame.mask, result.parameters, scaled_);
+    if (usesSurfaces(depth, result.parameters))
+        addSurface(depth, result, frame);
+    else
+        frame.depth = scaleInside(depth, frame.mask, result.parameters, scaled_);
     frame.num_superpixels = result.parameters.countSuperpixels(frame.num_pixels);
     if (!markers.empty())
     {
@@ -65,6 +82,18 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
         frame.markers = numbered_;
     }
     return frame;
+}
+
+//! Nearness and normals. The optical axis meets the middle of what is segmented: another place would shear space, in
+//! which planes stay planes.
+void Segmenter::addSurface(const Mat& depth, const Segmentation& result, Frame& frame)
+{
+    const Parameters& parameters = result.parameters;
+    const Size size = result.bounds.size();
+    frame.camera.focal = parameters.focalLength(size);
+    frame.camera.center = Point2f(float(size.width - 1) / 2, float(size.height - 1) / 2);
+    const FloatRange range = { parameters.near_depth, parameters.far_depth };
+    findSurface(keepInside(depth, frame.mask), range, frame.camera, surface_, frame.depth, frame.normals);
 }
 
 void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentation& result)
@@ -102,10 +131,10 @@ void Segmenter::drawLines(const Segmentation& result, Mat& mask) const
 void Segmenter::buildHierarchy(Segmentation& result) const
 {
     const Parameters& used = result.parameters;
-    const Padded<Feature> features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
-                                                                  : rgwatershed_.features();
-    result.hierarchy.build(features, floodDistance(used.alpha, result.with_depth), result.labels(result.bounds),
-                           result.number);
+    const FeatureMap features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
+                                                             : rgwatershed_.features();
+    result.hierarchy.build(features, floodDistance(used, result.with_depth, features.withNormals()),
+                           result.labels(result.bounds), result.number);
 }
 
 }}} // namespace

@@ -8,6 +8,7 @@
 #include "gwatershed/gwatershed.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "segmentation.hpp"
+#include "surface.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -48,10 +49,12 @@ private:
     };
 
     Frame makeFrame(const Mat& image, const Mat& depth, const Mat& markers, const Segmentation& result);
+    void addSurface(const Mat& depth, const Segmentation& result, Frame& frame);
     void run(Frame frame, const Last& last, int num_iterations, Segmentation& result);
 
     GWatershed gwatershed_;
     RGWatershed rgwatershed_;
+    SurfaceBuffers surface_;
     Mat converted_, scaled_, numbered_;
     Last last_;
 };

@@ -7,6 +7,7 @@
 #include "results/contours.hpp"
 #include "results/merge_small.hpp"
 #include "results/statistics.hpp"
+#include "results/surface_fits.hpp"
 #include "segmenter.hpp"
 #include "shared/in_use.hpp"
 
@@ -167,6 +168,23 @@ public:
         });
     }
 
+    void getSurfaces(InputArray depth, OutputArray positions, OutputArray normals) const CV_OVERRIDE
+    {
+        const gws::Reading use(in_use_);
+        checkSegmented();
+        const Mat depths = gws::checkDepth(depth, result_.labels.size());
+        checkTable(positions, CV_32FC1, false, "positions");
+        checkTable(normals, CV_32FC1, false, "normals");
+        guardMemory([&]()
+        {
+            Mat tables[2];
+            gws::measureSurfaces(result_.labels, result_.number, depths,
+                                 result_.parameters.focalLength(result_.labels.size()), tables[0], tables[1]);
+            give(tables[0], positions);
+            give(tables[1], normals);
+        });
+    }
+
     void getAdjacency(InputArray image, InputArray depth, OutputArray pairs, OutputArray lengths,
                       OutputArray contrasts) const CV_OVERRIDE
     {
@@ -233,6 +251,13 @@ public:
     void setDepthRange(float first, float last) CV_OVERRIDE { Change(*this)->setDepthRange(first, last); }
     float getNearDepth() const CV_OVERRIDE { return parameters().near_depth; }
     float getFarDepth() const CV_OVERRIDE { return parameters().far_depth; }
+    void setFocalLength(float fx, float fy) CV_OVERRIDE { Change(*this)->setFocalLength(fx, fy); }
+    float getFocalLengthX() const CV_OVERRIDE { return parameters().focal_x; }
+    float getFocalLengthY() const CV_OVERRIDE { return parameters().focal_y; }
+    void setNormalWeight(float weight) CV_OVERRIDE { Change(*this)->setNormalWeight(weight); }
+    float getNormalWeight() const CV_OVERRIDE { return parameters().normal_weight; }
+    void setDepthAdaptive(bool adaptive) CV_OVERRIDE { Change(*this)->depth_adaptive = adaptive; }
+    bool getDepthAdaptive() const CV_OVERRIDE { return parameters().depth_adaptive; }
     void setBorderThreshold(float threshold) CV_OVERRIDE { Change(*this)->setBorderThreshold(threshold); }
     float getBorderThreshold() const CV_OVERRIDE { return parameters().border_threshold; }
 

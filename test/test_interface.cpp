@@ -120,6 +120,9 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     const Mat image = makeScene(Size(90, 60), theRNG()), depth = makeDepth(image.size(), 0.1, theRNG());
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 13, 4.5f, 0.75f);
     gws->setDepthRange(400.5f, 4000.f);
+    gws->setFocalLength(525.f, 520.f);
+    gws->setNormalWeight(0.5f);
+    gws->setDepthAdaptive(true);
     gws->setBorderThreshold(120.f);
     EXPECT_EQ("SuperpixelGWatershed", gws->getDefaultName());
 
@@ -137,6 +140,10 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     EXPECT_EQ(0.75f, other->getAlpha());
     EXPECT_EQ(400.5f, other->getNearDepth());
     EXPECT_EQ(4000.f, other->getFarDepth());
+    EXPECT_EQ(525.f, other->getFocalLengthX());
+    EXPECT_EQ(520.f, other->getFocalLengthY());
+    EXPECT_EQ(0.5f, other->getNormalWeight());
+    EXPECT_TRUE(other->getDepthAdaptive());
     EXPECT_EQ(120.f, other->getBorderThreshold());
     gws->iterate();
     other->iterate();

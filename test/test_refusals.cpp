@@ -123,6 +123,14 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_parameters_and_keeps_the_old_o
         EXPECT_TRUE(isRefused([&] { gws->setDepthRange(wrong_rulers[i], 5); }, "near_depth"));
         EXPECT_TRUE(isRefused([&] { gws->setDepthRange(0, wrong_rulers[i]); }, "far_depth"));
     }
+    for (int i = 0; i < 3; i++)
+    {
+        EXPECT_TRUE(isRefused([&] { gws->setFocalLength(wrong_rulers[i]); }, "fx"));
+        EXPECT_TRUE(isRefused([&] { gws->setFocalLength(500, wrong_rulers[i]); }, "fy"));
+        EXPECT_TRUE(isRefused([&] { gws->setNormalWeight(wrong_rulers[i]); }, "normal_weight"));
+    }
+    EXPECT_TRUE(isRefused([&] { gws->setFocalLength(0, 500); }, "fy"));
+    EXPECT_TRUE(isRefused([&] { gws->setNormalWeight(1.001f); }, "normal_weight"));
     EXPECT_TRUE(isRefused([&] { gws->setAlpha(1.001f); }, "alpha"));
     EXPECT_TRUE(isRefused([&] { gws->setDepthRange(5, 5); }, "far_depth"));
     EXPECT_EQ(GWATERSHED, gws->getAlgorithm());

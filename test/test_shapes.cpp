@@ -130,7 +130,7 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
             const Mat labels = superpixels(Mat(size, CV_8UC1, Scalar(128)), region_size);
             const Vec2d areas = extremeAreas(labels);
             EXPECT_GE(compactness(labels), 0.68) << size << ", " << region_size;
-            // A superpixel has 12 blocks at 14, 18 at 13 and 17. Then a row of blocks more or less is much of a cell, and
+            // A superpixel has 12 blocks at 14, 18 at 13 and 17. Then a row of blocks is much of a cell, and
             // the last blocks of an image may hold one pixel only.
             const double least = region_size == 14 ? 0.32 : region_size == 17 ? 0.45 : region_size == 13 ? 0.55 : 0.6;
             EXPECT_GE(areas[0], least) << size << ", " << region_size;

@@ -50,9 +50,9 @@ int GWatershed::run(const Frame& frame, const Parameters& parameters, Mat& label
     return num_superpixels;
 }
 
-Padded<Feature> GWatershed::features(bool lab_input) const
+FeatureMap GWatershed::features(bool lab_input) const
 {
-    Padded<Feature> features;
+    FeatureMap features;
     features.create(color_.size(), Feature());
     parallel_for_(Range(0, color_.rows), [&](const Range& rows)
     {

@@ -29,7 +29,7 @@ public:
     void drawLines(Mat& mask) const;
 
     //! Features of the pixels of the last run.
-    Padded<Feature> features(bool lab_input) const;
+    FeatureMap features(bool lab_input) const;
 
 private:
     Mat color_, depth_; // of the last run

@@ -9,11 +9,11 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 // Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1 };
+static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1, false };
 
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
-void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels,
+void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels)
 {
     CV_TRACE_FUNCTION();
@@ -21,7 +21,7 @@ void MergeHierarchy::build(const Padded<Feature>& features, const RegionDistance
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    buffers.graph.build(labels, num_labels, features, distance);
+    buffers.graph.build(labels, num_labels, features, distance.withoutSurface());
     measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, RULES, buffers, regions);
     unions_ = merger.runToTheEnd();

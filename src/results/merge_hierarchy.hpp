@@ -16,7 +16,7 @@ public:
     bool empty() const { return num_labels_ == 0; }
 
     //! Finds the order for all superpixels of a CV_32SC1 label map that touch. Labels below 0 stay.
-    void build(const Padded<Feature>& features, const RegionDistance& distance, const Mat& labels, int num_labels);
+    void build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels, int num_labels);
 
     //! The label map with num_labels superpixels, or with more if the order ends before. Returns their number.
     int cut(int num_labels, Mat& labels) const;

@@ -14,7 +14,7 @@ void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const
     if (regions.size() <= num_regions)
         return;
     Mat map = labels.view(CV_32SC1);
-    buffers.graph.build(map, regions.size(), features, distance);
+    buffers.graph.build(map, regions.size(), features, distance.withoutSurface());
     SimilarMerger merger(distance, rules, buffers, regions);
     merger.run(num_regions);
 
@@ -23,10 +23,7 @@ void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const
     const int left = numberRegions(parents, numbers);
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)
-        {
-            regions.sums[numbers[i]] = regions.sums[i];
-            regions.means[numbers[i]] = regions.means[i];
-        }
+            regions.copy(i, numbers[i]);
     regions.resize(left);
     renumber(numbers, map);
 }

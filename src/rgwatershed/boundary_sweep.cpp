@@ -87,8 +87,8 @@ private:
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
-            const int n = choice_.findGains(part.pixels + first, std::min<int>(part.count - first, RegionChoice::BATCH),
-                                            gains);
+            const int count = std::min<int>(part.count - first, RegionChoice::BATCH);
+            const int n = choice_.findGains(part.pixels + first, count, y, gains);
             for (int i = 0; i < n; i++)
             {
                 const Point p(gains[i].pixel - left, y);
@@ -187,7 +187,7 @@ void BoundarySweeper::clearMarks(const Range& rows)
         std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
 }
 
-void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                                Regions& regions)
 {
     const Size size = labels.size();
@@ -200,7 +200,7 @@ void BoundarySweeper::sweepAll(const Padded<Feature>& features, const SweepRules
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const Padded<Feature>& features,
+void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const FeatureMap& features,
                                   const SweepRules& rules, Padded<int>& labels, Regions& regions)
 {
     begin(features.size());
@@ -215,7 +215,7 @@ void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const Pad
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepAgain(int count, const Padded<Feature>& features, const SweepRules& rules,
+void BoundarySweeper::sweepAgain(int count, const FeatureMap& features, const SweepRules& rules,
                                  Padded<int>& labels, Regions& regions)
 {
     for (int i = 0; i < count && moved_; i++)
@@ -223,12 +223,12 @@ void BoundarySweeper::sweepAgain(int count, const Padded<Feature>& features, con
               rules, labels, regions);
 }
 
-void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules,
+void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const SweepRules& rules,
                             Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
-    const RegionChoice choice(features, labels, masks_, regions.means, rules.distance, rules.length_price);
+    const RegionChoice choice(features, labels, masks_, regions, rules.distance, rules.length_price);
     const int most_groups = countGroups();
     bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + most_groups - 1) / most_groups);
     lists_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
@@ -276,14 +276,20 @@ void BoundarySweeper::sweep(const List& list, const Padded<Feature>& features, c
 
 //! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,
 //! so few are read for nothing.
-void BoundarySweeper::updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
                                     Regions& regions) const
 {
     const auto add = [&](int index, int region, int times)
     {
         if (region < range.start || region >= range.end)
             return;
-        regions.sums[region].add(features.data()[index], times);
+        const Feature& feature = features.data()[index];
+        regions.sums[region].add(feature, times);
+        if (regions.surfaces.present)
+        {
+            const Point p = features.point(index);
+            regions.surfaces.sums[region].add(feature, features.normalAt(p), p, times);
+        }
         if (guard)
             guard->add(features.point(index), region, times);
     };

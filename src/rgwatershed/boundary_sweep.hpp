@@ -35,14 +35,14 @@ class BoundarySweeper
 {
 public:
     //! Sweeps over the whole boundary.
-    void sweepAll(const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
+    void sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
     //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first, which have a side.
-    void sweepBlocks(const Padded<int>& blocks, int side, const Padded<Feature>& features, const SweepRules& rules,
+    void sweepBlocks(const Padded<int>& blocks, int side, const FeatureMap& features, const SweepRules& rules,
                      Padded<int>& labels, Regions& regions);
 
     //! Sweeps around the pixels that moved in the sweep before, of the same labels, until none does.
-    void sweepAgain(int count, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+    void sweepAgain(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                     Regions& regions);
 
     //! Whether any pixel moved in the last sweep.
@@ -74,9 +74,9 @@ private:
 
     void begin(Size size);
     void clearMarks(const Range& rows);
-    void sweep(const List& list, const Padded<Feature>& features, const SweepRules& rules, Padded<int>& labels,
+    void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
-    void updateRegions(const Range& range, const Padded<Feature>& features, VariationGuard* guard,
+    void updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
                        Regions& regions) const;
 
     Padded<uchar> masks_;             // of the neighbours with the same label, by pixel

@@ -19,6 +19,20 @@ static uchar meanDepth(const Feature* const* elements, int n)
     return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
 
+//! The same of four 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines
+//! over the numbers 1 to 4, and divided by 12.
+static inline v_uint16x8 meanDepth(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
+{
+    const v_uint16x8 one = v_setall_u16(1), sum = v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d));
+    const v_int16x8 known = v_reinterpret_as_s16(v_add_wrap(v_add_wrap(v_min(a, one), v_min(b, one)),
+                                                            v_add_wrap(v_min(c, one), v_min(d, one))));
+    const v_int16x8 twice = v_shl<1>(known);
+    const v_int16x8 factor = v_max(v_sub_wrap(v_setall_s16(18), v_add_wrap(v_shl<2>(known), twice)),
+                                   v_max(v_sub_wrap(v_setall_s16(10), twice), v_sub_wrap(v_setall_s16(7), known)));
+    const v_uint16x8 product = v_mul_wrap(sum, v_reinterpret_as_u16(factor));
+    return v_mul_hi(v_add_wrap(product, v_setall_u16(6)), v_setall_u16(5462));
+}
+
 //! Sums of up to 1024, so 16 bits hold them.
 struct Halves
 {
@@ -31,6 +45,12 @@ static inline v_uint16x8 quarter(const v_uint16x8& a, const v_uint16x8& b, const
     return v_shr<2>(v_add_wrap(v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d)), v_setall_u16(2)));
 }
 
+//! Depths of 4 features, as 32-bit numbers.
+static inline v_uint16x8 depthOf(const v_uint32x4& features)
+{
+    return v_reinterpret_as_u16(v_shr<24>(features));
+}
+
 //! Means of blocks of 2x2 pixels, 4 blocks at a time.
 static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
@@ -39,12 +59,13 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
     const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
     const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
-    v_store(to->color, v_pack(quarter(ha.low, hb.low, hc.low, hd.low), quarter(ha.high, hb.high, hc.high, hd.high)));
-    for (int i = 0; with_depth && i < 8; i += 2)
-    {
-        const Feature* const elements[4] = { upper + i, upper + i + 1, lower + i, lower + i + 1 };
-        to[i / 2].depth = meanDepth(elements, 4);
-    }
+    const v_uint8x16 means = v_pack(quarter(ha.low, hb.low, hc.low, hd.low),
+                                    quarter(ha.high, hb.high, hc.high, hd.high));
+    if (!with_depth)
+        return v_store(to->color, means);
+    const v_uint32x4 depth = v_reinterpret_as_u32(meanDepth(depthOf(a), depthOf(b), depthOf(c), depthOf(d)));
+    const v_uint32x4 colors = v_shr<8>(v_shl<8>(v_reinterpret_as_u32(means)));
+    v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(depth))));
 }
 
 static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& halved)
@@ -118,14 +139,57 @@ static void thirdFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
-void makePyramid(const Mat& color, const Mat& depth, bool lab_input, const BlockLevels& levels,
-                 Padded<Feature>* features)
+//! Normals of blocks of some side, from those of blocks of 2x2 pixels: means of what is known of those they touch.
+static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
+{
+    united.create(size, CV_8UC2);
+    parallel_for_(Range(0, size.height), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            Normal* to = united.ptr<Normal>(y);
+            const int top = y * side / 2, bottom = std::min(((y + 1) * side + 1) / 2, normals.rows);
+            for (int x = 0; x < size.width; x++)
+            {
+                const int left = x * side / 2, right = std::min(((x + 1) * side + 1) / 2, normals.cols);
+                int sum_x = 0, sum_y = 0, known = 0;
+                for (int i = top; i < bottom; i++)
+                    for (const Normal *n = normals.ptr<Normal>(i) + left, *end = n + right - left; n < end; n++)
+                    {
+                        sum_x += n->x;
+                        sum_y += n->y;
+                        known += n->known();
+                    }
+                to[x].x = uchar(known ? (sum_x + known / 2) / known : 0);
+                to[x].y = uchar(known ? (sum_y + known / 2) / known : 0);
+            }
+        }
+    });
+}
+
+static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureMap* features)
+{
+    for (int level = 0; level <= levels.top; level++)
+    {
+        const int side = levels.side(level);
+        FeatureMap& map = features[level];
+        map.create(levels.sizeOf(level, frame.color.size()), Feature());
+        map.camera = frame.camera.united(side);
+        map.normal_shift = side == 1;
+        if (side <= 2 || frame.normals.empty())
+            map.normals = frame.normals;
+        else
+            uniteNormals(frame.normals, side, map.size(), map.normals);
+    }
+}
+
+void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
 {
     CV_TRACE_FUNCTION();
     const int BAND_HEIGHT = 24; // while its rows are in the cache
     CV_DbgAssert(BAND_HEIGHT % levels.side(levels.top) == 0); // a band has whole blocks on every level
-    for (int level = 0; level <= levels.top; level++)
-        features[level].create(levels.sizeOf(level, color.size()), Feature());
+    const Mat &color = frame.color, &depth = frame.depth;
+    createLevels(frame, levels, features);
     parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)

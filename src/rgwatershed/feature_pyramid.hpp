@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_FEATURE_PYRAMID_HPP
 
 #include "shared/features.hpp"
+#include "shared/frame.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -29,9 +30,8 @@ struct BlockLevels
 
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
 //! where some of them are missing at the end of a row or column, the last one stands for them.
-//! color is 8-bit with 1, 3 or 4 channels, depth CV_8UC1 or empty.
-void makePyramid(const Mat& color, const Mat& depth, bool lab_input, const BlockLevels& levels,
-                 Padded<Feature>* features);
+//! Normals, if there are any, are those of blocks of 2x2 pixels; larger blocks have their means.
+void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features);
 
 }}} // namespace
 

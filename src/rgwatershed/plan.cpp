@@ -42,9 +42,10 @@ static BlockLevels chooseLevels(const Frame& frame, float ruler, const MaskPyram
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters.ruler, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler)), flood_distance(floodDistance(parameters.alpha, !frame.depth.empty())),
+      merge_rules(mergeRules(ruler)),
+      flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
-      sweep(sweepDistance(parameters.alpha, !frame.depth.empty()), frame.markers)
+      sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
@@ -54,9 +55,12 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
                              : frame.num_superpixels;
     markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
+    depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
+    merge_rules.on_surface = depth_adaptive;
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
     const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
-    most_area = frame.markers.empty() ? MOST_AREA * pixels_in_blocks / num_superpixels : double(INT_MAX);
+    most_area = frame.markers.empty() && !depth_adaptive ? MOST_AREA * pixels_in_blocks / num_superpixels
+                                                         : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
     sweep.length_price = boundaryPrice(PRICE, side, ruler);

@@ -32,6 +32,7 @@ struct Plan
     int num_superpixels;    //!< that merging leaves on that level
     int markers_per_superpixel, num_markers;
     double most_area;       //!< of a superpixel that gains pixels
+    bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
     MergeRules merge_rules;

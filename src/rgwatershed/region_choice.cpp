@@ -6,10 +6,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
-                           const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price)
+RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                           const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
-      means_(means.data()), distance_(distance), step_(labels.step())
+      means_(regions.means.data()), surfaces_(regions.surfaces.means.data()), map_(features),
+      distance_(distance.withoutSurface()), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -25,28 +26,42 @@ RegionChoice::RegionChoice(const Padded<Feature>& features, const Padded<int>& l
 }
 
 //! Squared distances of pixels to the regions of some neighbours, of which a mask gives the offset.
-template <bool WITH_DEPTH, typename Offset>
-void RegionChoice::measure(const int* pixels, int n, const Offset& offset, int* squares) const
+template <RegionChoice::Content CONTENT, typename Offset>
+void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const
 {
+    const Normal* normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
     for (int i = 0; i < n; i += 4)
     {
         const Feature* features[4];
         const RegionMean* means[4];
+        int of_surfaces[4] = {};
         for (int k = 0; k < 4; k++)
         {
             const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
             features[k] = features_ + pixel;
-            means[k] = means_ + (label & ~(label >> 31));
+            const int region = label & ~(label >> 31);
+            means[k] = means_ + region;
+            if (CONTENT >= PLANE)
+                of_surfaces[k] = ofSurface<CONTENT>(pixel, y, normals, region);
         }
-        v_store(squares + i, distance_.squared<WITH_DEPTH>(features, means));
+        // Not loaded as a whole: that would wait for the four to be stored.
+        const v_int32x4 rest(of_surfaces[0], of_surfaces[1], of_surfaces[2], of_surfaces[3]);
+        v_store(squares + i, distance_.squared<CONTENT != COLOR>(features, means, rest));
     }
+}
+
+int RegionChoice::squaredDistance(int pixel, int y, int region) const
+{
+    const int of_surface = distance_.with_surfaces ? ofSurface<SURFACE>(pixel, y, map_.normalsOfRow(y), region) : 0;
+    return distance_.squared(features_[pixel], means_[region], of_surface);
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
 //! passed over here, in loops without branches, because no processor can predict which they are.
-template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n, OpenPixels& open) const
+template <RegionChoice::Content CONTENT>
+void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
-    measure<WITH_DEPTH>(pixels, n, [](int) { return 0; }, open.first);
+    measure<CONTENT>(pixels, n, y, [](int) { return 0; }, open.first);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
@@ -57,7 +72,7 @@ template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n,
     }
 
     std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<WITH_DEPTH>(open.indices, count, [&](int mask) { return first_offsets_[mask]; }, open.first);
+    measure<CONTENT>(open.indices, count, y, [&](int mask) { return first_offsets_[mask]; }, open.first);
     n = count;
     count = 0;
     for (int i = 0; i < n; i++)
@@ -71,7 +86,7 @@ template <bool WITH_DEPTH> void RegionChoice::findOpen(const int* pixels, int n,
     }
 
     std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<WITH_DEPTH>(open.indices, count, [&](int mask) { return last_offsets_[mask]; }, open.last);
+    measure<CONTENT>(open.indices, count, y, [&](int mask) { return last_offsets_[mask]; }, open.last);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {
@@ -96,13 +111,17 @@ void RegionChoice::compare(int pixel, int square, Choice& choice) const
     choice.seen |= mask;
 }
 
-int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
+int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
     OpenPixels open;
-    if (distance_.with_depth)
-        findOpen<true>(pixels, n, open);
+    if (distance_.with_surfaces && distance_.normal_share > 0)
+        findOpen<SURFACE>(pixels, n, y, open);
+    else if (distance_.with_surfaces)
+        findOpen<PLANE>(pixels, n, y, open);
+    else if (distance_.with_depth)
+        findOpen<DEPTH>(pixels, n, y, open);
     else
-        findOpen<false>(pixels, n, open);
+        findOpen<COLOR>(pixels, n, y, open);
 
     Choice choices[BATCH];
     int unfinished[BATCH], num_unfinished = 0;
@@ -124,7 +143,7 @@ int RegionChoice::findGains(const int* pixels, int n, Gain* gains) const
         {
             const int region = label[first_offsets_[choice.seen]];
             const int square = region == last ? open.last[unfinished[i]]
-                                              : distance_.squared(features_[pixel], means_[std::max(region, 0)]);
+                                              : squaredDistance(pixel, y, std::max(region, 0));
             compare(pixel, square, choice);
         }
         while (~choice.seen & MaskTable::FOUR_NEIGHBORS);

@@ -24,12 +24,13 @@ public:
     };
 
     //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
-    RegionChoice(const Padded<Feature>& features, const Padded<int>& labels, const Padded<uchar>& masks,
-                 const std::vector<RegionMean>& means, const RegionDistance& distance, int length_price);
+    RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
+                 const Regions& regions, const RegionDistance& distance, int length_price);
 
-    //! Of up to BATCH pixels, finds those that are better off in the region of a 4-neighbour, and the best one for
-    //! each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to read.
-    int findGains(const int* pixels, int n, Gain* gains) const;
+    //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one
+    //! for each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to
+    //! read.
+    int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
     //! Pixels that another region may win. Behind the last one is room for three more.
@@ -49,9 +50,23 @@ private:
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
     };
 
-    template <bool WITH_DEPTH> void findOpen(const int* pixels, int n, OpenPixels& open) const;
-    template <bool WITH_DEPTH, typename Offset>
-    void measure(const int* pixels, int n, const Offset& offset, int* squares) const;
+    //! What distances are made of: colour, and the depth of the region, its plane, or its plane and its normal.
+    enum Content { COLOR, DEPTH, PLANE, SURFACE };
+
+    template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
+    template <Content CONTENT, typename Offset>
+    void measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const;
+
+    //! What the surfaces of a pixel in row y, which has some normals, and of a region add to their distance.
+    template <Content CONTENT> int ofSurface(int pixel, int y, const Normal* normals, int region) const
+    {
+        const int x = pixel - (y + 1) * step_ - 1;
+        const Feature& feature = features_[pixel];
+        if (CONTENT == PLANE)
+            return distance_.ofPlane(feature, means_[region], surfaces_[region], x, y);
+        return distance_.ofSurface(feature, normals[x >> map_.normal_shift], means_[region], surfaces_[region], x, y);
+    }
+    int squaredDistance(int pixel, int y, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;
@@ -61,6 +76,8 @@ private:
     const int* const labels_;
     const uchar* const masks_;
     const RegionMean* const means_;
+    const SurfaceMean* const surfaces_; // if there are any
+    const FeatureMap& map_; // of the features
     const RegionDistance distance_;
     const int step_;
     // By mask of the neighbours that agree:

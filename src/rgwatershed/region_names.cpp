@@ -7,9 +7,21 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void measureErrors(const Padded<Feature>& features, const RegionDistance& distance, const Padded<int>& labels,
+//! distance is without surfaces, which are added.
+static int errorAt(const FeatureMap& features, Point p, const RegionDistance& distance, const Regions& regions,
+                   int region)
+{
+    const Feature& feature = features.row(p.y)[p.x];
+    const RegionMean& mean = regions.means[region];
+    const int of_surface = !regions.surfaces.present ? 0
+            : distance.ofSurface(feature, features.normalAt(p), mean, regions.surfaces.means[region], p.x, p.y);
+    return distance.squared(feature, mean, of_surface);
+}
+
+void measureErrors(const FeatureMap& features, const RegionDistance& full_distance, const Padded<int>& labels,
                    const Regions& regions, std::vector<int64>& errors)
 {
+    const RegionDistance distance = full_distance.withoutSurface();
     CV_TRACE_FUNCTION();
     errors.assign(regions.size(), 0);
     const Size size = labels.size();
@@ -18,7 +30,7 @@ void measureErrors(const Padded<Feature>& features, const RegionDistance& distan
         {
             const int label = labels.row(y)[x];
             if (label >= 0)
-                errors[label] += distance.squared(features.row(y)[x], regions.means[label]);
+                errors[label] += errorAt(features, Point(x, y), distance, regions, label);
         }
 }
 

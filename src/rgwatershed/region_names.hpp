@@ -17,7 +17,7 @@ void nameGroups(const std::vector<int>& parents, const std::vector<int>& areas, 
                 int num_kept, std::vector<int>& labels);
 
 //! Sum of the squared distances of the pixels of each region to its mean, in squared levels.
-void measureErrors(const Padded<Feature>& features, const RegionDistance& distance, const Padded<int>& labels,
+void measureErrors(const FeatureMap& features, const RegionDistance& distance, const Padded<int>& labels,
                    const Regions& regions, std::vector<int64>& errors);
 
 }}} // namespace

@@ -10,7 +10,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void RegionTracker::start(const Plan& plan, const Padded<Feature>& features, const Padded<int>& labels,
+void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Padded<int>& labels,
                           const Regions& regions)
 {
     measureErrors(features, plan.sweep.distance, labels, regions, last_.errors);
@@ -22,7 +22,7 @@ void RegionTracker::keep(const Plan& plan, const Padded<int>& labels)
     labels.copyTo(CV_32SC1, last_.labels);
 }
 
-bool RegionTracker::track(const Plan& plan, const Padded<Feature>& features, const Mat& mask, BoundarySweeper& sweeper,
+bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Mat& mask, BoundarySweeper& sweeper,
                           Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -59,7 +59,7 @@ RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors
 }
 
 //! The errors of the new regions are what later ones are measured by.
-void RegionTracker::replaceChanged(const Plan& plan, const Padded<Feature>& features, const Mat& mask, Change& change,
+void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change,
                                    Padded<int>& labels, Regions& regions)
 {
     const int num_kept = floodChanged(plan, features, mask, change, labels, regions);
@@ -73,7 +73,7 @@ void RegionTracker::replaceChanged(const Plan& plan, const Padded<Feature>& feat
 
 //! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. The
 //! regions that are kept get the first numbers. Returns how many these are.
-int RegionTracker::floodChanged(const Plan& plan, const Padded<Feature>& features, const Mat& mask,
+int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask,
                                 const Change& change, Padded<int>& labels, Regions& regions)
 {
     const int num_regions = regions.size();
@@ -83,7 +83,7 @@ int RegionTracker::floodChanged(const Plan& plan, const Padded<Feature>& feature
         if (!change.changed[i])
         {
             numbers[i] = int(names_.size());
-            regions.sums[names_.size()] = regions.sums[i];
+            regions.copy(i, int(names_.size()));
             names_.push_back(i);
         }
     const int num_kept = int(names_.size());
@@ -108,7 +108,7 @@ int RegionTracker::floodChanged(const Plan& plan, const Padded<Feature>& feature
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionTracker::mergeAll(const Plan& plan, const Padded<Feature>& features, int num_kept, Change& change,
+void RegionTracker::mergeAll(const Plan& plan, const FeatureMap& features, int num_kept, Change& change,
                              Padded<int>& labels, Regions& regions)
 {
     Mat map = labels.view(CV_32SC1);

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/rgwatershed.hpp"
+#include "rgwatershed/adaptive_markers.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
@@ -30,7 +31,8 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    makePyramid(frame.color, frame.depth, parameters.lab_input, plan.levels, features_);
+    makePyramid(frame, parameters.lab_input, plan.levels, features_);
+    regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
@@ -53,10 +55,10 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
-    const Padded<Feature>& features = features_[plan.levels.top];
+    const FeatureMap& features = features_[plan.levels.top];
     int markers_in_cell = 1;
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
-    if (mask.empty())
+    if (mask.empty() && !plan.depth_adaptive)
     {
         const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
         const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
@@ -67,14 +69,19 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     }
     else
     {
-        placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
+        if (mask.empty())
+            placeAdaptiveMarkers(gradient_, features, plan.num_markers, markers_);
+        else
+            placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
     }
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
-                    plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_, labels_[plan.levels.top],
-                    regions_);
+                    plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
+                    labels_[plan.levels.top], regions_);
+    if (features.withNormals())
+        measureSurfaces(features, labels_[plan.levels.top].view(CV_32SC1), regions_);
     return markers_in_cell;
 }
 
@@ -85,7 +92,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
     CV_TRACE_FUNCTION();
     MergeRules rules = plan.merge_rules;
     rules.in_cell = markers_in_cell;
-    const Padded<Feature>& features = features_[plan.levels.top];
+    const FeatureMap& features = features_[plan.levels.top];
     Padded<int>& labels = labels_[plan.levels.top];
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
@@ -105,6 +112,8 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     regions_.resize(frame.num_superpixels);
     measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
     floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
+    if (features_[0].withNormals())
+        measureSurfaces(features_[0], labels_[0].view(CV_32SC1), regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
 }
@@ -119,6 +128,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweepOn(level);
+        if (level == 0 && top > 0)
+            rules.distance.normal_share = 0; // pixels have no normals of their own
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
         if (level < top)
             descend(frame, plan, level);
@@ -136,12 +147,14 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
     const int side = plan.levels.ratio(level + 1);
-    regions_.divideBlocks(side * side);
+    regions_.divideBlocks(side);
     if (frame.mask.empty())
         return;
     spreadLabels(labels_[level + 1], side, features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
+    if (features_[level].withNormals())
+        measureSurfaces(features_[level], labels_[level].view(CV_32SC1), regions_);
     if (level > 0)
     {
         closeUnseen(labels_[level]);

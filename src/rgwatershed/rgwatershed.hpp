@@ -25,7 +25,7 @@ public:
     int run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels);
 
     //! Features of the pixels of the last run.
-    Padded<Feature> features() const { return features_[0]; }
+    FeatureMap features() const { return features_[0]; }
 
 private:
     int floodBlocks(const Plan& plan, const Mat& mask);
@@ -36,7 +36,7 @@ private:
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
-    Padded<Feature> features_[MAX_LEVEL + 1];
+    FeatureMap features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_TUNING_HPP
 #define OPENCV_GWATERSHED_TUNING_HPP
 
+#include "shared/parameters.hpp"
 #include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -38,6 +39,10 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
 static const int SWEEP_LIGHTNESS = 136, SWEEP_CHROMA = 336;
 
+// How much more depth and normals count beside colour than depth alone does, and the levels of depth that one of the
+// 127 levels of a normal is worth. Found on one half of the frames of mOSD.
+static const float SURFACE_TRUST = 2, NORMAL_SCALE = 1.3f;
+
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
 static const double PRICE_BEFORE_MERGING = 0.5, PRICE = 22;
@@ -59,7 +64,7 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1 };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
     rules.noise = 205 + cvRound(8 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
@@ -86,16 +91,28 @@ inline int sweepsBeforeMerging(int markers_per_superpixel)
     return markers_per_superpixel < 4 ? 1 : 2;
 }
 
-//! The distance that leads in finding regions.
-inline RegionDistance floodDistance(float alpha, bool with_depth)
+//! With normals, depth is measured against planes, so both are trusted more beside colour.
+inline RegionDistance makeDistance(int lightness, int chroma, const Parameters& parameters, bool with_depth,
+                                   bool with_normals)
 {
-    return RegionDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, alpha, with_depth);
+    if (!with_normals)
+        return RegionDistance(lightness, chroma, parameters.alpha, with_depth);
+    const float color = parameters.alpha, surface = SURFACE_TRUST * (1 - parameters.alpha);
+    RegionDistance distance(lightness, chroma, color / (color + surface), with_depth);
+    distance.addSurfaces(parameters.normal_weight, NORMAL_SCALE);
+    return distance;
+}
+
+//! The distance that leads in finding regions.
+inline RegionDistance floodDistance(const Parameters& parameters, bool with_depth, bool with_normals)
+{
+    return makeDistance(FLOOD_LIGHTNESS, FLOOD_CHROMA, parameters, with_depth, with_normals);
 }
 
 //! The distance that leads in settling boundaries.
-inline RegionDistance sweepDistance(float alpha, bool with_depth)
+inline RegionDistance sweepDistance(const Parameters& parameters, bool with_depth, bool with_normals)
 {
-    return RegionDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, alpha, with_depth);
+    return makeDistance(SWEEP_LIGHTNESS, SWEEP_CHROMA, parameters, with_depth, with_normals);
 }
 
 }}} // namespace

@@ -5,9 +5,14 @@
 #ifndef OPENCV_GWATERSHED_FEATURES_HPP
 #define OPENCV_GWATERSHED_FEATURES_HPP
 
+#include "shared/camera.hpp"
 #include "shared/padded.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
+
+//! Fixed-point units of means, distances and weights.
+static const int STEPS_PER_LEVEL = 16; //!< of the 8-bit grey levels of a feature: means and distances are in these
+static const int FULL_WEIGHT = 256;    //!< a weight of 1
 
 //! A pixel, or a block of pixels, as RGWATERSHED compares it: lightness and two colour differences
 //! of an opponent space, and scaled depth, 0 if missing.
@@ -15,6 +20,29 @@ struct Feature
 {
     uchar color[3];
     uchar depth;
+};
+
+//! Direction of the surface at a pixel, or of a block: x and y of its unit normal in the axes of the camera, 1..255 for
+//! -1..1; both 0 if it is not known.
+struct Normal
+{
+    uchar x, y;
+
+    enum { ZERO = 128, ONE = 127 };
+    bool known() const { return x != 0; }
+};
+
+//! Features of the pixels of an image, or of the blocks of a level, and beside them their normals, if there are any.
+//! Normals change slowly, so pixels have those of blocks of 2x2.
+struct FeatureMap : Padded<Feature>
+{
+    Mat normals;          //!< CV_8UC2, as Normal; empty if there are none
+    int normal_shift = 0; //!< an element of normals is that of 2^normal_shift elements, along both axes
+    Camera camera;        //!< of the normals, in elements of this map
+
+    bool withNormals() const { return !normals.empty(); }
+    const Normal* normalsOfRow(int y) const { return normals.ptr<Normal>(y >> normal_shift); }
+    const Normal& normalAt(Point p) const { return normalsOfRow(p.y)[p.x >> normal_shift]; }
 };
 
 //! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become

@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_FRAME_HPP
 #define OPENCV_GWATERSHED_FRAME_HPP
 
-#include "precomp.hpp"
+#include "shared/camera.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -14,6 +14,8 @@ struct Frame
 {
     Mat color;   //!< 8-bit with 1, 3 or 4 channels
     Mat depth;   //!< CV_8UC1, 0 where it is missing; empty if there is no depth
+    Mat normals; //!< CV_8UC2, as Normal; empty if there are none
+    Camera camera; //!< of the normals
     Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty if all pixels are inside
     Mat markers; //!< CV_32SC1, the label of a marker, or below 0; empty if markers are not given by the user
     int num_pixels = 0;      //!< inside of the mask

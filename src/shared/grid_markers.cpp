@@ -6,11 +6,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
-//! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in
-//! raster order. It lies in the cell, so no two markers are at the same place.
 //! @note The paper asks for local minima of the gradient and gives no rule.
-static Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
+Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
 {
     const Point center2(2 * cell.x + cell.width - 1, 2 * cell.y + cell.height - 1); // twice the centre
     const int rx = cell.width > 2 ? std::max(cell.width / 4, 1) : 0;

@@ -57,6 +57,20 @@ void Parameters::setDepthRange(float first, float last)
     far_depth = last;
 }
 
+void Parameters::setFocalLength(float x, float y)
+{
+    CV_Check(x, x >= 0 && x <= FLT_MAX, "fx must be 0 or more, and finite");
+    CV_Check(y, y >= 0 && y <= FLT_MAX && (x > 0 || y == 0), "fy must be 0 or more, finite, and 0 if fx is");
+    focal_x = x;
+    focal_y = y;
+}
+
+void Parameters::setNormalWeight(float value)
+{
+    CV_Check(value, value >= 0 && value <= 1, "normal_weight must be in [0, 1]");
+    normal_weight = value;
+}
+
 void Parameters::setBorderThreshold(float value)
 {
     CV_Check(value, value >= 0 && value <= FLT_MAX, "border_threshold must be 0 or more, and finite");
@@ -76,6 +90,10 @@ void Parameters::write(FileStorage& fs) const
        << "high_value" << high_value
        << "near_depth" << near_depth
        << "far_depth" << far_depth
+       << "focal_x" << focal_x
+       << "focal_y" << focal_y
+       << "normal_weight" << normal_weight
+       << "depth_adaptive" << int(depth_adaptive)
        << "border_threshold" << border_threshold;
 }
 
@@ -112,8 +130,19 @@ Parameters Parameters::read(const FileNode& fn)
     parameters.temporal = readInteger(fn, "temporal") != 0;
     parameters.setValueRange(readValue<float>(fn, "low_value"), readValue<float>(fn, "high_value"));
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
+    parameters.setFocalLength(readValue<float>(fn, "focal_x"), readValue<float>(fn, "focal_y"));
+    parameters.setNormalWeight(readValue<float>(fn, "normal_weight"));
+    parameters.depth_adaptive = readInteger(fn, "depth_adaptive") != 0;
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;
+}
+
+Point2f Parameters::focalLength(Size size) const
+{
+    const float USUAL = 0.8f; // of the longer side: 64 degrees, between those of the Kinect (0.82) and RealSense (0.72)
+    if (focal_x == 0)
+        return Point2f(1, 1) * (USUAL * float(std::max(size.width, size.height)));
+    return Point2f(focal_x, focal_y > 0 ? focal_y : focal_x);
 }
 
 int Parameters::countSuperpixels(double pixels) const

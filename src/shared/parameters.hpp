@@ -23,6 +23,10 @@ struct Parameters
     float high_value = 0;
     float near_depth = 0;   //!< both 0: the range comes from the frame
     float far_depth = 0;
+    float focal_x = 0;      //!< in pixels; 0: a usual one
+    float focal_y = 0;      //!< 0: as focal_x
+    float normal_weight = 0.2f;
+    bool depth_adaptive = false;
     float border_threshold = 150; //!< measured, see doc/log.md; 0: none
 
     void setAlgorithm(int value);
@@ -32,6 +36,8 @@ struct Parameters
     void setAlpha(float value);
     void setValueRange(float low, float high);
     void setDepthRange(float first, float last);
+    void setFocalLength(float x, float y);
+    void setNormalWeight(float value);
     void setBorderThreshold(float value);
 
     void write(FileStorage& fs) const;
@@ -40,6 +46,8 @@ struct Parameters
 
     //! Number of superpixels for a number of pixels, at most one for each.
     int countSuperpixels(double pixels) const;
+    //! The focal length in pixels, for images of a size.
+    Point2f focalLength(Size size) const;
     //! alpha in 1/256.
     int alphaWeight() const { return cvRound(alpha * 256); }
 };

@@ -22,7 +22,7 @@ public:
     {
         const float larger = std::max(alpha, 1 - alpha);
         color_share = cvRound(FULL_WEIGHT * alpha / larger);
-        depth_share = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
+        depth_share = beside_color = cvRound(FULL_WEIGHT * (1 - alpha) / larger);
         const short color[4] = { short(lightness), short(chroma), short(chroma), 0 };
         for (int k = 0; k < 3; k++)
         {
@@ -33,10 +33,46 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    int operator()(const Feature& f, const RegionMean& r) const
+    //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what
+    //! counts beside colour, scale that of one level of a normal against one of depth.
+    void addSurfaces(float weight, float scale)
+    {
+        with_surfaces = true;
+        normal_share = cvRound(depth_share * weight * scale);
+        depth_share = cvRound(depth_share * (1 - weight));
+        weights[1][3] = short(depth_share);
+    }
+
+    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface()
+    //! is what it lacks. Depth says nothing from pixel to pixel: on a slanted plane it has a step at each of them.
+    RegionDistance withoutSurface() const
+    {
+        RegionDistance distance = *this;
+        if (with_surfaces)
+            distance.weights[1][3] = 0;
+        return distance;
+    }
+
+    //! What the surface adds to a distance, in 1/FULL_WEIGHT of a step: the depth of a pixel against the plane of the
+    //! region at its place, and its normal against that of the region; nothing of what is not known.
+    int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
+    {
+        const int has_normal = -int(n.known() & s.known());
+        const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
+        return ofPlane(f, r, s, x, y) + ((normal_share * turned) & has_normal);
+    }
+
+    //! The same without normals.
+    int ofPlane(const Feature& f, const RegionMean& r, const SurfaceMean& s, int x, int y) const
+    {
+        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
+        return (depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth;
+    }
+
+    int operator()(const Feature& f, const RegionMean& r, int of_surface = 0) const
     {
         const short* w = weightsOf(f, r);
-        int sum = w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
+        int sum = of_surface + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
         for (int k = 0; k < 3; k++)
             sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
         return sum / FULL_WEIGHT;
@@ -53,14 +89,15 @@ public:
     }
 
     //! The square of it, in squared levels.
-    int squared(const Feature& f, const RegionMean& r) const
+    int squared(const Feature& f, const RegionMean& r, int of_surface = 0) const
     {
-        const int d = (*this)(f, r);
+        const int d = (*this)(f, r, of_surface);
         return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     }
 
     //! The squares of four pairs at once.
-    template <bool WITH_DEPTH> v_int32x4 squared(const Feature* const* f, const RegionMean* const* r) const
+    template <bool WITH_DEPTH>
+    v_int32x4 squared(const Feature* const* f, const RegionMean* const* r, const v_int32x4& of_surfaces) const
     {
         v_int32x4 first = v_setall_s32(pairOf(weights[0], 0)), second = v_setall_s32(pairOf(weights[0], 2));
         if (WITH_DEPTH)
@@ -73,13 +110,14 @@ public:
         splitPairs(difference(low, v_load_halves(r[0]->color, r[1]->color)),
                    difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences, depth_differences);
         const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
-            v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second)));
+            v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second), of_surfaces));
         const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
         return v_shr<8>(v_dotprod(d, d));
     }
 
-    bool with_depth;
-    int color_share, depth_share;
+    bool with_depth, with_surfaces = false;
+    int color_share, depth_share, normal_share = 0;
+    int beside_color; //!< weight of depth and normals together
     short weights[2][4]; //!< of a feature, without depth and with it
 
 private:

@@ -57,6 +57,28 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
     return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
 }
 
+//! How far the centre of a region is from the plane of another one, in depth.
+static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
+{
+    const int UNIT = SurfaceMean::CENTER_UNIT;
+    return std::abs(plane.depthAt(other.center.x / UNIT, other.center.y / UNIT) - other_depth);
+}
+
+//! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
+//! may be wrong.
+static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& surface_a,
+                           const SurfaceMean& surface_b)
+{
+    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
+        return squaredDistance(a, b);
+    const int step = std::min(depthBetween(surface_a, surface_b, b[3]), depthBetween(surface_b, surface_a, a[3]));
+    const int depth = (distance.depth_share * step) >> 8;
+    const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
+    const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
+    const int color = int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16);
+    return color + depth * depth + x * x + y * y;
+}
+
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
 //! roots and no divisions. With d the distance of the means, v the variances, n the areas, h the mean contrast across
 //! the boundary, l its length, L the lightness of the means, m that of the union:
@@ -91,8 +113,8 @@ static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
 {
     if (distance.with_depth)
     {
-        rules.lightness = rules.lightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
-        rules.brightness = rules.brightness * (FULL_WEIGHT - distance.depth_share) / FULL_WEIGHT;
+        rules.lightness = rules.lightness * (FULL_WEIGHT - distance.beside_color) / FULL_WEIGHT;
+        rules.brightness = rules.brightness * (FULL_WEIGHT - distance.beside_color) / FULL_WEIGHT;
     }
     return rules;
 }
@@ -136,7 +158,7 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& r
 //! Sets the area that is usual when so many regions are left.
 void SimilarMerger::expect(int num_regions)
 {
-    log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_) / float(num_regions)));
+    log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
 }
 
 void SimilarMerger::run(int num_regions)
@@ -177,9 +199,6 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
 void SimilarMerger::start()
 {
     const int n = regions_.size();
-    area_ = 0;
-    for (int i = 0; i < n; i++)
-        area_ += regions_.sums[i].area;
     b_.records.resize(n);
     b_.parents.resize(n);
     b_.changed.resize(n);
@@ -195,6 +214,9 @@ void SimilarMerger::start()
             b_.records[i] = describe(i);
         }
     });
+    area_ = 0;
+    for (int i = 0; i < n; i++)
+        area_ += b_.records[i].area;
 }
 
 //! The square of a sum over the number is taken apart, so that nothing is rounded before the end:
@@ -216,10 +238,12 @@ MergeRegion SimilarMerger::describe(int region) const
 {
     const RegionMean& mean = regions_.means[region];
     const RegionSum& sum = regions_.sums[region];
-    const float area = float(sum.area);
+    const float scale = rules_.on_surface && mean.depth != RegionMean::NO_DEPTH
+            ? areaScale(mean.depth, regions_.surfaces.camera) : 1.f;
+    const float area = float(sum.area) * scale;
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
                            b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
-                           float(sum.color[0] + 16 * int64(sum.area)), region / rules_.in_cell };
+                           float(sum.color[0] + 16 * int64(sum.area)) * scale, region / rules_.in_cell };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -275,14 +299,17 @@ void SimilarMerger::evaluate(int k, std::vector<int>& table)
 void SimilarMerger::findCosts(EdgeList& list) const
 {
     const MergeRegion* records = b_.records.data();
-    const bool with_depth = distance_.with_depth;
+    const bool with_depth = distance_.with_depth, with_surfaces = distance_.with_surfaces;
+    const SurfaceMean* surfaces = regions_.surfaces.means.data();
     const MergeRules rules = rules_;
     const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
     for (size_t i = 0; i < list.count; i++)
     {
         MergeEdge& edge = list.edges[i];
         const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_depth ? squaredDistance(distance_, a.mean, b.mean)
+        const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a],
+                                                             surfaces[edge.b])
+                           : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
         edge.cost = unionCost(rules, distance, light_level, a, b, edge, log_usual_area_);
     }
@@ -414,8 +441,7 @@ void SimilarMerger::unite()
 
 void SimilarMerger::unite(const MergePair& pair)
 {
-    regions_.sums[pair.to].add(regions_.sums[pair.from]);
-    regions_.update(pair.to);
+    regions_.unite(pair.from, pair.to);
     if (!b_.squares.empty())
         b_.squares[pair.to] += b_.squares[pair.from];
     b_.records[pair.to] = describe(pair.to);

@@ -22,6 +22,7 @@ struct MergeRules
     float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise;      //!< a squared distance that means little, in 1/256 of the variance
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
+    bool on_surface; //!< areas are those on the surface, not in the image
 };
 
 //! What the cost of a union reads of a region.
@@ -105,7 +106,7 @@ private:
 
     const RegionDistance distance_;
     const MergeRules rules_;
-    int64 area_;         // of all regions
+    double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
     MergeBuffers& b_;
     Regions& regions_;

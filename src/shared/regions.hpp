@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGIONS_HPP
 #define OPENCV_GWATERSHED_REGIONS_HPP
 
-#include "shared/features.hpp"
+#include "shared/surfaces.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,10 +15,6 @@ enum RegionLabel
     UNSEEN = -1,       //!< not reached by any region
     OUTSIDE = INT_MIN  //!< around the image, outside of the mask, or not reached by any marker
 };
-
-//! Fixed-point units of means, distances and weights.
-static const int STEPS_PER_LEVEL = 16; //!< of the 8-bit grey levels of a feature: means and distances are in these
-static const int FULL_WEIGHT = 256;    //!< a weight of 1
 
 //! Means over the pixels of a region, in steps.
 struct RegionMean
@@ -89,33 +85,33 @@ struct Regions
 {
     std::vector<RegionMean> means;
     std::vector<RegionSum> sums;
+    RegionSurfaces surfaces;
 
     int size() const { return int(sums.size()); }
     void resize(int n)
     {
         means.resize(n);
         sums.resize(n);
+        surfaces.resize(n);
     }
     void clear(int n)
     {
         resize(n);
         std::fill(sums.begin(), sums.end(), RegionSum());
     }
-    //! From sums over blocks to sums over what they are made of, some elements for each block. A block is their mean,
-    //! so sums become so many times as large.
-    void divideBlocks(int elements)
+    //! From sums over blocks to sums over what they are made of, side x side elements for each block. A block is their
+    //! mean, so sums become so many times as large.
+    void divideBlocks(int side);
+    //! Copies a region to another number.
+    void copy(int from, int to);
+    //! Adds the pixels of a region to those of another one.
+    void unite(int from, int to);
+    void update(int i)
     {
-        for (int i = 0; i < size(); i++)
-        {
-            RegionSum& sum = sums[i];
-            for (int k = 0; k < 3; k++)
-                sum.color[k] *= elements;
-            sum.depth *= elements;
-            sum.area = int(std::min<int64>(elements * int64(sum.area), INT_MAX)); // less at the borders
-            sum.depth_area = int(std::min<int64>(elements * int64(sum.depth_area), INT_MAX));
-        }
+        means[i] = sums[i].mean();
+        if (surfaces.present)
+            surfaces.means[i] = surfaces.sums[i].mean(means[i].depth, sums[i].depth_area, surfaces.camera);
     }
-    void update(int i) { means[i] = sums[i].mean(); }
     void update()
     {
         for (int i = 0; i < size(); i++)
@@ -123,8 +119,11 @@ struct Regions
     }
 };
 
+//! Computes the surfaces of regions whose other sums are known, and all means.
+void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions);
+
 //! Computes sums and means of all regions. Labels below 0 do not count.
-void measureRegions(const Padded<Feature>& features, const Mat& labels, Regions& regions);
+void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);
 
 }}} // namespace
 

@@ -244,6 +244,20 @@ public:
                                        OutputArray mean_colors = noArray(),
                                        OutputArray mean_depths = noArray()) const = 0;
 
+    /** @brief Measures the surface of each superpixel: where it is, and which way it faces.
+
+    @param depth Depth map of the size of the label map, of a type that iterate() takes.
+    @param positions N x 3 CV_32FC1, the mean of its points (x to the right, y down, z forward from the camera), in the
+    unit of depth.
+    @param normals N x 3 CV_32FC1, the unit normal, towards the camera, of the plane that fits the inverse of its depths
+    best.
+
+    The focal length is that of the last iterate(), see setFocalLength(); the usual one if it was 0. Where there is
+    nothing to take them from - no depth, or for a normal none but on one line - they are NaN. Throws cv::Exception
+    before the first iterate().
+    */
+    CV_WRAP virtual void getSurfaces(InputArray depth, OutputArray positions, OutputArray normals) const = 0;
+
     /** @brief Lists the superpixels that touch: the region adjacency graph.
 
     @param image Image of the size of the label map, of a type that iterate() takes, for the contrasts: the one that
@@ -408,6 +422,44 @@ public:
     CV_WRAP virtual float getNearDepth() const = 0;
     /** @brief The depth that becomes 255, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getFarDepth() const = 0;
+
+    /** @brief Sets the focal length of the depth camera, from which RGWATERSHED takes the directions of surfaces.
+
+    With metric depth RGWATERSHED compares surfaces, not depths alone: blocks of pixels have normals, and the depth of a
+    pixel is measured against the plane of a superpixel. So a table seen at an angle is not cut into stripes of equal
+    depth, and two walls of one colour are cut where they meet. Depth counts by its inverse, whose noise is the same
+    near and far. The unit of depth does not matter. Where no normal can be had, beside holes, depth and colour count.
+
+    @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side
+    of the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
+    for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then. The
+    optical axis meets the middle of the image. Set it for parts of an image, and for other lenses.
+    @param fy The same along y, 0 or more, finite. If 0, the default, it is fx. It must be 0 if fx is.
+    @see setNormalWeight */
+    CV_WRAP virtual void setFocalLength(float fx, float fy = 0.0f) = 0;
+    /** @brief The focal length along x in pixels, or 0 if it is the usual one. @see setFocalLength */
+    CV_WRAP virtual float getFocalLengthX() const = 0;
+    /** @brief The focal length along y in pixels, or 0 if it is that along x. @see setFocalLength */
+    CV_WRAP virtual float getFocalLengthY() const = 0;
+
+    /** @brief Sets the weight of normals against depth.
+    @param normal_weight In [0, 1], default 0.2: the distance of surfaces is normal_weight * Dist_N +
+    (1 - normal_weight) * Dist_D. More of it cuts at smaller bends, and follows the noise of depth more. 0 switches
+    surfaces off: depth is compared as it is, scaled from near to far, as for 8-bit depth. GWATERSHED ignores it.
+    @note With surfaces, depth and normals count twice as much beside colour as depth alone does. */
+    CV_WRAP virtual void setNormalWeight(float normal_weight = 0.2f) = 0;
+    /** @brief The weight of normals against depth. @see setNormalWeight */
+    CV_WRAP virtual float getNormalWeight() const = 0;
+
+    /** @brief Sets whether superpixels have about the same area on the surface, instead of in the image.
+    @param depth_adaptive If true, there are the more markers the farther away things are, as in
+    @cite Weikersdorfer2012 . N is still the number asked for. Default false. It acts where there are surfaces, see
+    setFocalLength(); with a mask markers are placed evenly, and with user markers it has no effect.
+
+    ![A room of one colour: depth as it is, surfaces, and setDepthAdaptive(true)](pics/gwatershed_surfaces.jpg) */
+    CV_WRAP virtual void setDepthAdaptive(bool depth_adaptive) = 0;
+    /** @brief Whether superpixels have about the same area on the surface. @see setDepthAdaptive */
+    CV_WRAP virtual bool getDepthAdaptive() const = 0;
 
     /** @brief Sets the gradient from which GWATERSHED makes a pixel a border at the start (line 6 of Algorithm 1).
 

@@ -279,6 +279,9 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         gws.setTemporal(true);
         gws.setValueRange(-1000, 3000);
         gws.setDepthRange(400, 4000);
+        gws.setFocalLength(525, 520);
+        gws.setNormalWeight(0.5f);
+        gws.setDepthAdaptive(true);
         gws.setBorderThreshold(100);
         assertEquals(Gwatershed.GWATERSHED, gws.getAlgorithm());
         assertEquals(0, gws.getRegionSize());
@@ -291,6 +294,10 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         assertEquals(3000f, gws.getHighValue());
         assertEquals(400f, gws.getNearDepth());
         assertEquals(4000f, gws.getFarDepth());
+        assertEquals(525f, gws.getFocalLengthX());
+        assertEquals(520f, gws.getFocalLengthY());
+        assertEquals(0.5f, gws.getNormalWeight());
+        assertTrue(gws.getDepthAdaptive());
         assertEquals(100f, gws.getBorderThreshold());
         assertEquals("SuperpixelGWatershed", gws.getDefaultName());
         try {

@@ -1,0 +1,104 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_SURFACES_HPP
+#define OPENCV_GWATERSHED_SURFACES_HPP
+
+#include "shared/features.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The surface of a region: its mean normal, and the plane with this normal through the centre of its pixels. On a
+//! plane nearness is an affine function of the place.
+struct SurfaceMean
+{
+    short x, y;             //!< of the normal, in steps; both 0 if no pixel has one
+    short slope_x, slope_y; //!< of depth, in 1/PLANE_UNIT of a step for an element
+    int base;               //!< depth of the plane at (0, 0), in the same unit
+    Point center;           //!< of the pixels with depth, in 1/CENTER_UNIT of an element
+
+    enum { PLANE_UNIT = 1 << 6, CENTER_UNIT = 16 };
+
+    bool known() const { return x != 0; }
+
+    //! Puts the plane through a depth, in steps, at the centre.
+    void setDepth(int depth)
+    {
+        const int64 rise = int64(slope_x) * center.x + int64(slope_y) * center.y;
+        base = PLANE_UNIT * depth - int(rise / CENTER_UNIT);
+    }
+
+    //! From blocks to the side x side elements in each.
+    void divideBlocks(int side, int depth);
+
+    //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
+    int depthAt(int at_x, int at_y) const
+    {
+        const int depth = (base + slope_x * at_x + slope_y * at_y) >> 6;
+        return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
+    }
+};
+
+//! How much larger the surface is that an element at some depth, in steps, stands for than one at the near end.
+float areaScale(int depth, const Camera& camera);
+
+//! What of the surface is summed up over the pixels of a region.
+struct SurfaceSum
+{
+    int64 normal_x, normal_y;
+    int64 x, y;      //!< of the pixels with depth
+    int normal_area; //!< pixels with a normal
+
+    //! Adds a pixel, or removes it if times is -1.
+    void add(const Feature& f, const Normal& n, Point p, int times = 1)
+    {
+        normal_x += times * n.x;
+        normal_y += times * n.y;
+        normal_area += n.known() ? times : 0;
+        x += f.depth ? int64(times) * p.x : 0;
+        y += f.depth ? int64(times) * p.y : 0;
+    }
+
+    void add(const SurfaceSum& s)
+    {
+        normal_x += s.normal_x;
+        normal_y += s.normal_y;
+        normal_area += s.normal_area;
+        x += s.x;
+        y += s.y;
+    }
+
+    //! From blocks to the side x side elements in each. depth_area is that of the blocks.
+    void divideBlocks(int side, int depth_area);
+
+    //! depth is the mean of the pixels that have it, in steps.
+    SurfaceMean mean(int depth, int depth_area, const Camera& camera) const;
+};
+
+//! The surfaces of regions, if there are normals.
+struct RegionSurfaces
+{
+    bool present = false;
+    Camera camera; //!< of the elements
+    std::vector<SurfaceMean> means;
+    std::vector<SurfaceSum> sums;
+
+    //! Surfaces of n regions with no pixels.
+    void start(const Camera& camera_, int n)
+    {
+        present = true;
+        camera = camera_;
+        means.resize(n);
+        sums.assign(n, SurfaceSum());
+    }
+    void resize(int n)
+    {
+        means.resize(present ? n : 0);
+        sums.resize(means.size());
+    }
+};
+
+}}} // namespace
+
+#endif

@@ -1,0 +1,192 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+// Scenes of planes, seen by a camera whose focal length is FOCAL, in one colour.
+
+namespace opencv_test { namespace {
+
+static const Size SIZE(320, 240);
+static const float FOCAL = 262;
+
+//! Depth of the plane z = distance + slope_x x + slope_y y, in millimetres.
+static Mat makePlane(double distance, double slope_x, double slope_y)
+{
+    Mat depth(SIZE, CV_32FC1);
+    for (int y = 0; y < SIZE.height; y++)
+        for (int x = 0; x < SIZE.width; x++)
+        {
+            const double ray_x = (x - 0.5 * (SIZE.width - 1)) / FOCAL, ray_y = (y - 0.5 * (SIZE.height - 1)) / FOCAL;
+            depth.at<float>(y, x) = float(distance / (1 - slope_x * ray_x - slope_y * ray_y));
+        }
+    return depth;
+}
+
+//! Noise of a Kinect: that of the inverse of depth is the same everywhere.
+static Mat addNoise(const Mat& depth, double sigma)
+{
+    Mat inverse = 1 / depth, noise(depth.size(), CV_32FC1), noisy;
+    theRNG().fill(noise, RNG::NORMAL, 0, sigma);
+    noisy = 1 / (inverse + noise);
+    return noisy;
+}
+
+static Ptr<SuperpixelGWatershed> segment(const Mat& image, const Mat& depth, int number)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, image.channels(), number);
+    gws->setFocalLength(FOCAL);
+    gws->iterate(image, depth);
+    EXPECT_EQ(number, gws->getNumberOfSuperpixels());
+    return gws;
+}
+
+static Mat gray() { return Mat(SIZE, CV_8UC3, Scalar::all(120)); }
+
+//! Mean of 4 pi area / perimeter^2.
+static double compactness(const Mat& labels, int number)
+{
+    std::vector<double> area(number, 0), perimeter(number, 0);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+        {
+            const int label = labels.at<int>(y, x);
+            area[label]++;
+            perimeter[label] += (x == 0 || labels.at<int>(y, x - 1) != label) +
+                                (x + 1 == labels.cols || labels.at<int>(y, x + 1) != label) +
+                                (y == 0 || labels.at<int>(y - 1, x) != label) +
+                                (y + 1 == labels.rows || labels.at<int>(y + 1, x) != label);
+        }
+    double sum = 0;
+    for (int i = 0; i < number; i++)
+        sum += area[i] * 4 * CV_PI * area[i] / (perimeter[i] * perimeter[i]);
+    return sum / double(labels.total());
+}
+
+//! Share of the pixels that are in a superpixel whose most pixels are on their side of a mask.
+static double purity(const Mat& labels, int number, const Mat& mask)
+{
+    std::vector<int> inside(number, 0), outside(number, 0);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            (mask.at<uchar>(y, x) ? inside : outside)[labels.at<int>(y, x)]++;
+    double pure = 0;
+    for (int i = 0; i < number; i++)
+        pure += std::max(inside[i], outside[i]);
+    return pure / double(labels.total());
+}
+
+TEST(ximgproc_GWatershed_surfaces, planes_seen_at_an_angle_are_as_compact_as_frontal_ones)
+{
+    const double slopes[][2] = { { 0, 0.6 }, { 0.6, 0 }, { 0.4, 0.4 }, { 0, 1.2 }, { 1, 0 } };
+    const double frontal = compactness(labelsOf(segment(gray(), makePlane(1500, 0, 0), 100)), 100);
+    for (const double(&slope)[2] : slopes)
+    {
+        const Mat labels = labelsOf(segment(gray(), makePlane(1500, slope[0], slope[1]), 100));
+        EXPECT_GT(compactness(labels, 100), frontal - 0.05) << slope[0] << " " << slope[1];
+    }
+}
+
+TEST(ximgproc_GWatershed_surfaces, planes_that_meet_in_a_crease_are_cut_along_it)
+{
+    Mat depth = makePlane(1500, -0.5, 0), right = Mat::zeros(SIZE, CV_8UC1);
+    const Rect half(SIZE.width / 2, 0, SIZE.width / 2, SIZE.height);
+    makePlane(1500, 0.5, 0)(half).copyTo(depth(half));
+    right(half).setTo(Scalar(255));
+    EXPECT_GT(purity(labelsOf(segment(gray(), depth, 60)), 60, right), 0.995);
+}
+
+TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
+{
+    const Mat table = makePlane(900, 0, -1.2); // it comes nearer to the bottom of the image
+    const Rect box(120, 70, 80, 90);
+    Mat depth = table.clone(), inside = Mat::zeros(SIZE, CV_8UC1);
+    depth(box).setTo(Scalar(table.at<float>(box.br().y - 1, box.x))); // it stands on the table, its front is upright
+    inside(box).setTo(Scalar(255));
+    EXPECT_GT(purity(labelsOf(segment(gray(), depth, 80)), 80, inside), 0.99);
+}
+
+TEST(ximgproc_GWatershed_surfaces, noise_of_depth_does_not_cut_a_wall)
+{
+    Mat image = gray();
+    const double colour_alone = compactness(labelsOf(segment(image, Mat(), 100)), 100);
+    const Mat noisy = addNoise(makePlane(1500, 0, 0), 3e-6); // 7 mm
+    Ptr<SuperpixelGWatershed> gws = segment(image, noisy, 100);
+    EXPECT_GT(compactness(labelsOf(gws), 100), 0.6 * colour_alone);
+    gws->setNormalWeight(0); // depth as it is
+    gws->iterate(image, noisy);
+    EXPECT_LT(compactness(labelsOf(gws), 100), 0.3 * colour_alone);
+}
+
+TEST(ximgproc_GWatershed_surfaces, depth_that_is_constant_or_missing_changes_nothing)
+{
+    const Mat image = makeScene(SIZE, theRNG());
+    const Mat expected = labelsOf(segment(image, Mat(), 150));
+    EXPECT_TRUE(equalMats(expected, labelsOf(segment(image, Mat(SIZE, CV_16UC1, Scalar(900)), 150))));
+    EXPECT_TRUE(equalMats(expected, labelsOf(segment(image, Mat(SIZE, CV_32FC1, Scalar(0)), 150))));
+}
+
+TEST(ximgproc_GWatershed_surfaces, unit_of_depth_cancels_out)
+{
+    const Mat image = makeScene(SIZE, theRNG());
+    Mat depth = makeDepth(SIZE, 0.2, theRNG()), floats;
+    depth.convertTo(floats, CV_32FC1);
+    const Mat expected = labelsOf(segment(image, depth, 150));
+    EXPECT_TRUE(equalMats(expected, labelsOf(segment(image, floats, 150))));
+    EXPECT_TRUE(equalMats(expected, labelsOf(segment(image, floats * 0.125f, 150))));
+}
+
+TEST(ximgproc_GWatershed_surfaces, labels_do_not_depend_on_threads)
+{
+    const Mat image = makeScene(Size(417, 333), theRNG()), depth = makeDepth(image.size(), 0.2, theRNG());
+    const int threads = getNumThreads();
+    setNumThreads(1);
+    const Mat expected = labelsOf(segment(image, depth, 300));
+    setNumThreads(3);
+    EXPECT_TRUE(equalMats(expected, labelsOf(segment(image, depth, 300))));
+    setNumThreads(threads);
+}
+
+TEST(ximgproc_GWatershed_surfaces, adaptive_superpixels_have_more_even_areas_on_the_surface)
+{
+    const Mat depth = makePlane(2000, 0, -1.5); // 1.2 to 6.4 m
+    double deviation[2];
+    for (int adaptive = 0; adaptive < 2; adaptive++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 200);
+        gws->setFocalLength(FOCAL);
+        gws->setDepthAdaptive(adaptive != 0);
+        gws->iterate(gray(), depth);
+        ASSERT_EQ(200, gws->getNumberOfSuperpixels());
+        Mat squares = depth.mul(depth), stats, centroids, means, spread, mean;
+        gws->getStatistics(squares, noArray(), stats, centroids, means);
+        Mat areas;
+        stats.col(CC_STAT_AREA).convertTo(areas, CV_32F);
+        meanStdDev(areas.mul(means), mean, spread);
+        deviation[adaptive] = spread.at<double>(0) / mean.at<double>(0);
+    }
+    EXPECT_LT(deviation[1], 0.6 * deviation[0]);
+}
+
+TEST(ximgproc_GWatershed_surfaces, are_measured)
+{
+    const Mat depth = makePlane(1500, 0.5, -0.25);
+    Ptr<SuperpixelGWatershed> gws = segment(gray(), depth, 50);
+    Mat positions, normals;
+    gws->getSurfaces(depth, positions, normals);
+    ASSERT_EQ(Size(3, 50), positions.size());
+    ASSERT_EQ(Size(3, 50), normals.size());
+    const Vec3f normal = normalize(Vec3f(0.5f, -0.25f, -1.f));
+    for (int i = 0; i < 50; i++)
+    {
+        const Vec3f p = *positions.ptr<Vec3f>(i);
+        EXPECT_NEAR(1500 + 0.5 * p[0] - 0.25 * p[1], p[2], 1);
+        EXPECT_LT(cv::norm(normal - *normals.ptr<Vec3f>(i)), 1e-3);
+    }
+    gws->getSurfaces(Mat::zeros(SIZE, CV_16UC1), positions, normals);
+    EXPECT_EQ(0, countNonZero(positions == positions)); // all NaN
+    EXPECT_EQ(0, countNonZero(normals == normals));
+}
+
+}} // namespace
