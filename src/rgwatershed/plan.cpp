@@ -72,6 +72,9 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
                                 : num_superpixels;
+    const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
+    most_area = frame.markers.empty() && !depth_adaptive ? MOST_AREA * pixels_in_blocks / num_superpixels
+                                                         : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(effort.price_before_merging, side, ruler);
     sweep.length_price = boundaryPrice(PRICE, side, ruler);
@@ -80,6 +83,18 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
     return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+}
+
+int Plan::usualFloodArea(double num_blocks, int num_markers_there)
+{
+    return int(USUAL_FLOOD_AREA * num_blocks / num_markers_there);
+}
+
+SweepRules Plan::sweepOn(int some_level) const
+{
+    SweepRules rules = sweep;
+    rules.most_area = int(std::min(most_area / (levels.side(some_level) * levels.side(some_level)), double(INT_MAX)));
+    return rules;
 }
 
 }}} // namespace

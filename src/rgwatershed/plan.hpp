@@ -22,6 +22,10 @@ struct Plan
 
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
     int floodRuler(double num_blocks, int num_markers_there) const;
+    //! The area of a region of it that is not larger than usual.
+    static int usualFloodArea(double num_blocks, int num_markers_there);
+    //! The rules of sweeps on a level after merging.
+    SweepRules sweepOn(int some_level) const;
 
     BlockLevels levels;     //!< the blocks of the top level are flooded; it is 0 for markers of the user
     double blocks;          //!< of that level, inside of the mask
@@ -29,6 +33,7 @@ struct Plan
     int num_regions;        //!< that merging leaves there: more if those of pixels are merged, too
     bool merges_pixels;
     int markers_per_superpixel, num_markers;
+    double most_area;       //!< of a superpixel that gains pixels
     bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;

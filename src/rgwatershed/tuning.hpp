@@ -21,6 +21,8 @@ enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told a
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
+static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
+static const double MOST_AREA = 3.6;           // of a superpixel, in mean areas, that still gains blocks or pixels
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -56,8 +58,8 @@ struct EffortRules
 
 inline const EffortRules& effortRules(int effort)
 {
-    static const EffortRules RULES[] = { { 0.6, 12, 2, 2.5, 1 },
-                                         { 1, 12, 4, 2.5, 1 },
+    static const EffortRules RULES[] = { { 0.6, 12, 2, 0.5, 1 },
+                                         { 1, 12, 4, 0.5, 1 },
                                          { 2.4, 45, 8, 10, 1 },
                                          { 2.4, 45, 10, 10, 3 } };
     return RULES[effort];
@@ -80,8 +82,9 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, false };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
+    rules.noise = 205 + cvRound(8 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }
 
@@ -106,9 +109,10 @@ inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, con
 inline int markersPerSuperpixel(double blocks_per_superpixel, const EffortRules& effort)
 {
     const int BLOCKS_FOR_MARKER = 5;
-    const int markers = blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3
-                      : std::max(4, int(std::min(blocks_per_superpixel / BLOCKS_FOR_MARKER, 1e6)));
-    return std::min(markers, effort.markers);
+    const int wanted = blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3
+                     : std::max(4, int(std::min(blocks_per_superpixel / BLOCKS_FOR_MARKER, 1e6)));
+    const int markers = std::min(wanted, effort.markers);
+    return markers == 5 || markers == 7 ? markers - 1 : markers; // parts of a cell would be strips
 }
 
 //! Sweeps of the blocks that were flooded.
