@@ -119,8 +119,7 @@ TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
                         const Mat labels = superpixels(image, region_size, 10, merged ? MERGED : 1);
                         const double largest = extremeAreas(labels)[1];
                         large[merged] += largest > 4;
-                        // Stripes without noise that are not as wide as some blocks: what runs along one is all there
-                        // is to unite in the end.
+                        // Not 4: level stripes of 9 pixels without noise give 6.4 at 14 and at 20.
                         EXPECT_LE(largest, 6.5) << kind << ", side " << side << ", " << region_size << ", " << way;
                     }
                 }
