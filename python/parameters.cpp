@@ -104,6 +104,8 @@ void bindParameters(SessionClass& to)
     bindValue(to, "num_superpixels", "DesiredSuperpixels", &S::setDesiredSuperpixels, &S::getDesiredSuperpixels,
               "Number of superpixels asked for; 0 where a region size is asked for.");
     bindDefaulted(to, "ruler", "Ruler", &S::setRuler, &S::getRuler, 10.f, "Compactness; 0 follows the image alone.");
+    bindDefaulted(to, "effort", "Effort", &S::setEffort, &S::getEffort, 1,
+                  "Time for better superpixels, from 0 to 3; for RGWATERSHED.");
     bindDefaulted(to, "alpha", "Alpha", &S::setAlpha, &S::getAlpha, 0.5f,
                   "Weight of colour against depth, in [0, 1].");
     bindValue(to, "lab_input", "LabInput", &S::setLabInput, &S::getLabInput,

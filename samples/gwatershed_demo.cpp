@@ -25,6 +25,7 @@ static const char* const KEYS =
     "{s region_size  | 20  | side of a superpixel in pixels }"
     "{k superpixels  | 0   | number of superpixels, instead of region_size if not 0 }"
     "{r ruler        | 10  | compactness }"
+    "{e effort       | 1   | from 0, the fastest, to 3, the best }"
     "{a alpha        | 0.5 | weight of colour against depth }"
     "{f focal        | 0   | focal length of the depth camera in pixels; 0: 0.8 of the longer side of the image }"
     "{n iterations   | 1   | number of iterations }";
@@ -103,7 +104,7 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
 //! What the trackbars of the window hold.
 struct Settings
 {
-    int region_size, ruler, alpha_percent, iterations, temporal, mode;
+    int region_size, ruler, effort, alpha_percent, iterations, temporal, mode;
 };
 
 static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Settings settings)
@@ -112,6 +113,7 @@ static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Setti
     namedWindow(window, WINDOW_AUTOSIZE);
     createTrackbar("Region size", window, &settings.region_size, 100);
     createTrackbar("Ruler", window, &settings.ruler, 50);
+    createTrackbar("Effort", window, &settings.effort, 3);
     createTrackbar("Alpha %", window, &settings.alpha_percent, 100);
     createTrackbar("Iterations", window, &settings.iterations, 10);
     createTrackbar("Temporal", window, &settings.temporal, 1);
@@ -125,6 +127,7 @@ static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Setti
             break;
         gws->setRegionSize(std::max(1, settings.region_size));
         gws->setRuler(float(settings.ruler));
+        gws->setEffort(settings.effort);
         gws->setAlpha(settings.alpha_percent / 100.f);
         gws->setTemporal(settings.temporal != 0);
         TickMeter timer;
@@ -156,7 +159,7 @@ int main(int argc, char** argv)
     const String camera = parser.get<String>("camera"), output = parser.get<String>("output");
     const int num_superpixels = parser.get<int>("superpixels"), iterations = parser.get<int>("iterations");
     const float alpha = parser.get<float>("alpha"), ruler = parser.get<float>("ruler");
-    const int region_size = parser.get<int>("region_size");
+    const int region_size = parser.get<int>("region_size"), effort = parser.get<int>("effort");
     const float focal = parser.get<float>("focal");
     if (!parser.check())
     {
@@ -180,6 +183,7 @@ int main(int argc, char** argv)
         if (!output.empty())
         {
             Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size, ruler);
+            gws->setEffort(effort);
             gws->setAlpha(alpha);
             gws->setFocalLength(focal);
             if (num_superpixels > 0)
@@ -193,7 +197,7 @@ int main(int argc, char** argv)
             std::cerr << "Cannot open the camera or video " << camera << std::endl;
             return 1;
         }
-        const Settings settings = { region_size, cvRound(ruler), cvRound(alpha * 100), iterations,
+        const Settings settings = { region_size, cvRound(ruler), effort, cvRound(alpha * 100), iterations,
                                     image.empty() ? 1 : 0, 0 };
         showWindow(image, depth, capture, settings);
     }

@@ -29,6 +29,7 @@ def parse_arguments():
     parser.add_argument("-s", "--region_size", type=int, default=20, help="side of a superpixel in pixels")
     parser.add_argument("-k", "--superpixels", type=int, help="number of superpixels, instead of region_size")
     parser.add_argument("-r", "--ruler", type=float, default=10, help="compactness")
+    parser.add_argument("-e", "--effort", type=int, default=1, help="from 0, the fastest, to 3, the best")
     parser.add_argument("-a", "--alpha", type=float, default=0.5, help="weight of colour against depth")
     parser.add_argument("-n", "--iterations", type=int, default=1, help="number of iterations")
     return parser.parse_args()
@@ -43,6 +44,7 @@ def main():
 
     gws = cv.ximgproc.createSuperpixelGWatershed(
         image, region_size=arguments.region_size, ruler=arguments.ruler)
+    gws.setEffort(arguments.effort)
     gws.setAlpha(arguments.alpha)
     if arguments.superpixels:
         gws.setDesiredSuperpixels(arguments.superpixels)

@@ -55,30 +55,33 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     Steps steps;
     steps.block = plan.levels.side(plan.levels.top);
 
-    gws::Padded<gws::Feature> pyramid[gws::MAX_LEVEL + 1];
-    gws::makePyramid(image, Mat(), false, plan.levels, pyramid);
-    const gws::Padded<gws::Feature>& blocks = pyramid[plan.levels.top];
+    gws::FeatureMap pyramid[gws::MAX_LEVEL + 1];
+    gws::makePyramid(frame, false, plan.levels, pyramid);
+    const gws::FeatureMap& blocks = pyramid[plan.levels.top];
 
     Mat gradient;
     std::vector<gws::MarkerBand> bands;
     gws::computeBlockGradient(blocks, plan.flood_distance, Mat(), gradient);
-    gws::placeGridMarkers(gradient, plan.num_markers, steps.markers);
-    gws::divideIntoBands(blocks.size(), plan.num_markers, plan.band_height, bands);
+    const gws::MarkerGrid grid(blocks.size(), plan.num_superpixels, plan.markers_per_superpixel);
+    gws::placeGridMarkers(gradient, grid, steps.markers);
+    gws::divideIntoBands(grid, plan.band_height, bands);
 
     gws::Padded<int> labels;
     gws::Regions regions;
     gws::FloodBuffers flood_buffers;
     gws::clearLabels(blocks.size(), Mat(), labels);
     gws::floodFromPoints(blocks, steps.markers, bands, plan.flood_distance,
-                         plan.floodRuler(plan.blocks, plan.num_markers), flood_buffers, labels, regions);
+                         plan.floodRuler(plan.blocks, plan.num_markers),
+                         plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers, labels, regions);
     steps.flooded = labels.view(CV_32SC1).clone();
 
     gws::BoundarySweeper sweeper;
     gws::MergeBuffers merge_buffers;
     sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
-    gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, plan.merge_rules, merge_buffers, labels,
-                             regions);
+    gws::MergeRules rules = plan.merge_rules;
+    rules.in_cell = grid.parts.area();
+    gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
     steps.merged = labels.view(CV_32SC1).clone();
 
     Ptr<SuperpixelGWatershed> all = createSuperpixelGWatershed(image.cols, image.rows, 3, num_superpixels);

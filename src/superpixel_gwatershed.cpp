@@ -239,6 +239,8 @@ public:
     int getDesiredSuperpixels() const CV_OVERRIDE { return parameters().num_superpixels; }
     void setRuler(float ruler) CV_OVERRIDE { Change(*this)->setRuler(ruler); }
     float getRuler() const CV_OVERRIDE { return parameters().ruler; }
+    void setEffort(int effort) CV_OVERRIDE { Change(*this)->setEffort(effort); }
+    int getEffort() const CV_OVERRIDE { return parameters().effort; }
     void setAlpha(float alpha) CV_OVERRIDE { Change(*this)->setAlpha(alpha); }
     float getAlpha() const CV_OVERRIDE { return parameters().alpha; }
     void setLabInput(bool uniform) CV_OVERRIDE { Change(*this)->lab_input = uniform; }

@@ -124,6 +124,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     gws->setNormalWeight(0.5f);
     gws->setDepthAdaptive(true);
     gws->setBorderThreshold(120.f);
+    gws->setEffort(2);
     EXPECT_EQ("SuperpixelGWatershed", gws->getDefaultName());
 
     FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
@@ -137,6 +138,7 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     EXPECT_EQ(13, other->getRegionSize());
     EXPECT_EQ(0, other->getDesiredSuperpixels());
     EXPECT_EQ(4.5f, other->getRuler());
+    EXPECT_EQ(2, other->getEffort());
     EXPECT_EQ(0.75f, other->getAlpha());
     EXPECT_EQ(400.5f, other->getNearDepth());
     EXPECT_EQ(4000.f, other->getFarDepth());

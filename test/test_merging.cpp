@@ -56,6 +56,10 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
         means[i] /= areas[i];
         variances[i] = std::max(variances[i] / areas[i] - means[i].dot(means[i]), 0.);
     }
+    int few = 1; // n, with zeros for all but the two highest bits, is few * (n / few)
+    while (n / few >= 4)
+        few *= 2;
+    const double usual_area = std::max(1., 3.2 * double(image.total()) / (n / few * few));
     std::map<std::pair<int, int>, double> costs;
     std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)
@@ -64,13 +68,14 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
         const Vec3d d = means[e->first.first] - means[e->first.second];
         const double va = variances[e->first.first], vb = variances[e->first.second], v = va + vb + 16;
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
-        costs[e->first] = straightLog(64 * d.dot(d) + v) - straightLog(v) +
+        costs[e->first] = straightLog(64 * d.dot(d) + 1.25 * v) - straightLog(v) +
                           1.3 * (straightLog(na) + straightLog(nb) - straightLog(na + nb)) +
                           0.97 * (straightLog(e->second.second + l) - straightLog(l)) -
                           1.02 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                           0.84 * straightLog(16 * std::abs(d[0]) + 7) -
                           0.87 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
-                          0.61 * straightLog(std::max(va, vb) + 8);
+                          0.61 * straightLog(std::max(va, vb) + 8) +
+                          32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
     }
     return costs;
 }

@@ -123,6 +123,8 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_parameters_and_keeps_the_old_o
         EXPECT_TRUE(isRefused([&] { gws->setDepthRange(wrong_rulers[i], 5); }, "near_depth"));
         EXPECT_TRUE(isRefused([&] { gws->setDepthRange(0, wrong_rulers[i]); }, "far_depth"));
     }
+    EXPECT_TRUE(isRefused([&] { gws->setEffort(-1); }, "effort"));
+    EXPECT_TRUE(isRefused([&] { gws->setEffort(4); }, "effort"));
     for (int i = 0; i < 3; i++)
     {
         EXPECT_TRUE(isRefused([&] { gws->setFocalLength(wrong_rulers[i]); }, "fx"));
@@ -137,6 +139,7 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_parameters_and_keeps_the_old_o
     EXPECT_EQ(7, gws->getRegionSize());
     EXPECT_EQ(0, gws->getDesiredSuperpixels());
     EXPECT_EQ(3.f, gws->getRuler());
+    EXPECT_EQ(1, gws->getEffort());
     EXPECT_EQ(0.5f, gws->getAlpha());
     EXPECT_EQ(0.f, gws->getNearDepth());
     EXPECT_EQ(0.f, gws->getFarDepth());

@@ -57,6 +57,8 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     size.add_argument("-k", "--number", type=int, metavar="N", help="number of superpixels, met exactly")
     size.add_argument("-s", "--region-size", type=int, metavar="N", help="side of a superpixel in pixels; default 20")
     parser.add_argument("-r", "--ruler", type=float, default=10, help="compactness; default %(default)s")
+    parser.add_argument("-e", "--effort", type=int, default=1,
+                        help="from 0, the fastest, to 3, the best; default %(default)s")
     parser.add_argument("-a", "--alpha", type=float, default=0.5,
                         help="weight of colour against depth; default %(default)s")
     parser.add_argument("-n", "--iterations", type=int, default=1, metavar="N",
@@ -115,7 +117,7 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
         "region_size": 20 if arguments.region_size is None else arguments.region_size}
     start = time.perf_counter()
     labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
-                     alpha=arguments.alpha, **size)
+                     effort=arguments.effort, alpha=arguments.alpha, **size)
     milliseconds = 1000 * (time.perf_counter() - start)
     write(output_of(name, arguments), PICTURES[arguments.show](image, labels))
     return int(labels.max()) + 1, milliseconds

@@ -155,8 +155,9 @@ class ArraysTest(unittest.TestCase):
 
 class ObjectTest(unittest.TestCase):
 
-    PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, alpha=0.3, lab_input=True,
-                      temporal=True, depth_range=(0.4, 4.1), value_range=(-7.5, 9), border_threshold=99.5,
+    PARAMETERS = dict(algorithm=gwatershed.GWATERSHED, num_superpixels=77, ruler=3.7, effort=2, alpha=0.3,
+                      lab_input=True, temporal=True, depth_range=(0.4, 4.1), value_range=(-7.5, 9),
+                      border_threshold=99.5,
                       focal_length=(525, 520), normal_weight=0.5, depth_adaptive=True)
 
     def test_constructor(self):

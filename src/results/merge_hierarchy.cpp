@@ -8,9 +8,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// Found by measurement, see doc/log.md.
-static const MergeRules RULES = { 64, 83, 62, 65, 54, 56, 39, false };
-
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
 void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
@@ -23,7 +20,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     MergeBuffers buffers;
     buffers.graph.build(labels, num_labels, features, distance.withoutSurface());
     measureSquares(features, labels, distance, num_labels, buffers.squares);
-    SimilarMerger merger(distance, RULES, buffers, regions);
+    SimilarMerger merger(distance, MERGE_BY_VARIANCES, buffers, regions);
     unions_ = merger.runToTheEnd();
 
     labels.copyTo(labels_);

@@ -58,10 +58,10 @@ struct ClassRows
 class BoundarySweeper::Wave
 {
 public:
-    Wave(const RegionChoice& choice, const SweepRules& rules, Padded<int>& labels, BoundarySweeper& sweeper,
-         Moves& moves)
+    Wave(const RegionChoice& choice, const SweepRules& rules, const Regions& regions, Padded<int>& labels,
+         BoundarySweeper& sweeper, Moves& moves)
         : table_(maskTable()), choice_(choice), rules_(rules), all_permitted_(rules.markers.empty() && !rules.guard),
-          labels_(labels), sweeper_(sweeper), moves_(moves)
+          sums_(regions.sums.data()), labels_(labels), sweeper_(sweeper), moves_(moves)
     {
     }
 
@@ -92,7 +92,8 @@ private:
             for (int i = 0; i < n; i++)
             {
                 const Point p(gains[i].pixel - left, y);
-                if (all_permitted_ || permits(p, gains[i].region))
+                if (sums_[gains[i].region].area <= rules_.most_area &&
+                    (all_permitted_ || permits(p, gains[i].region)))
                     move(c, p, gains[i]);
             }
         }
@@ -148,6 +149,7 @@ private:
     const RegionChoice& choice_;
     const SweepRules& rules_;
     const bool all_permitted_;
+    const RegionSum* const sums_;
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
     Moves& moves_;
@@ -238,12 +240,12 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
         const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
         listOf(band).begin(rows.start, size_t(rows.size()) * marks_.size().width);
         list(rows, listOf(band));
-        Wave(choice, rules, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
+        Wave(choice, rules, regions, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
     };
     const auto sweepAbove = [&](int band)
     {
         const ClassRows rows = ClassRows::between(band * BAND_HEIGHT, height);
-        Wave(choice, rules, labels, *this, moves_[num_bands + band - 1]).run(rows);
+        Wave(choice, rules, regions, labels, *this, moves_[num_bands + band - 1]).run(rows);
     };
     parallel_for_(Range(0, int(lists_.size())), [&](const Range& groups)
     {

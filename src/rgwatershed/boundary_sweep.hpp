@@ -21,6 +21,7 @@ struct SweepRules
     int length_price = 0;      //!< energy, in squared grey levels, of a quarter of a pixel edge of boundary
     Mat markers;               //!< of the user: pixels with a value of 0 or more stay; may be empty
     VariationGuard* guard = 0; //!< may be 0
+    int most_area = INT_MAX;   //!< a larger region gains no pixel, or one with both colours of a pattern would grow on
     bool last = false;         //!< the sums and means of the regions are not needed after it
 };
 

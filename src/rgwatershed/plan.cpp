@@ -31,41 +31,70 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     return levels;
 }
 
-static BlockLevels chooseLevels(const Frame& frame, float ruler, const MaskPyramid& masks)
+//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals,
+//! because pixels have none.
+static const EffortRules& effortRules(const Frame& frame, const Parameters& parameters)
 {
-    const double fewest_blocks = frame.markers.empty() ? fewestBlocks(frame.num_pixels, frame.num_superpixels, ruler)
-                                                       : DBL_MAX;
+    const int MOST_ON_BLOCKS = 2;
+    const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
+    return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
+}
+
+static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
+{
+    const double fewest_blocks =
+            !frame.markers.empty() ? DBL_MAX : fewestBlocks(frame.num_pixels, frame.num_superpixels, parameters.ruler,
+                                                            effortRules(frame, parameters));
     return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks)
                               : chooseLevels(masks, frame.num_superpixels, fewest_blocks);
 }
 
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
-    : levels(chooseLevels(frame, parameters.ruler, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler)),
+    : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
+      merge_rules(mergeRules(ruler)), pixel_merge_rules(pixelMergeRules(ruler)),
       flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
+    const EffortRules& effort = effortRules(frame, parameters);
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
     const int top = levels.top;
     blocks = masked ? masks.blocks(top) : levels.sizeOf(top, frame.color.size()).area();
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(top), masks.components(top))
                              : frame.num_superpixels;
-    markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels);
+    markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, effort);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
     depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
     merge_rules.on_surface = depth_adaptive;
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
+    merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
+    num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
+                                : num_superpixels;
+    const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
+    most_area = frame.markers.empty() && !depth_adaptive ? MOST_AREA * pixels_in_blocks / num_superpixels
+                                                         : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
-    sweep_before_merging.length_price = boundaryPrice(PRICE_BEFORE_MERGING, side, ruler);
+    sweep_before_merging.length_price = boundaryPrice(effort.price_before_merging, side, ruler);
     sweep.length_price = boundaryPrice(PRICE, side, ruler);
 }
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
     return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+}
+
+int Plan::usualFloodArea(double num_blocks, int num_markers_there)
+{
+    return int(USUAL_FLOOD_AREA * num_blocks / num_markers_there);
+}
+
+SweepRules Plan::sweepOn(int some_level) const
+{
+    SweepRules rules = sweep;
+    rules.most_area = int(std::min(most_area / (levels.side(some_level) * levels.side(some_level)), double(INT_MAX)));
+    return rules;
 }
 
 }}} // namespace

@@ -22,15 +22,22 @@ struct Plan
 
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
     int floodRuler(double num_blocks, int num_markers_there) const;
+    //! The area of a region of it that is not larger than usual.
+    static int usualFloodArea(double num_blocks, int num_markers_there);
+    //! The rules of sweeps on a level after merging.
+    SweepRules sweepOn(int some_level) const;
 
     BlockLevels levels;     //!< the blocks of the top level are flooded; it is 0 for markers of the user
     double blocks;          //!< of that level, inside of the mask
-    int num_superpixels;    //!< that merging leaves on that level
+    int num_superpixels;    //!< on that level
+    int num_regions;        //!< that merging leaves there: more if those of pixels are merged, too
+    bool merges_pixels;
     int markers_per_superpixel, num_markers;
+    double most_area;       //!< of a superpixel that gains pixels
     bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves
     float ruler;
-    MergeRules merge_rules;
+    MergeRules merge_rules, pixel_merge_rules;
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
     int sweeps_before_merging;

@@ -31,19 +31,21 @@ public:
         }
     }
 
-    //! features: of left, top, right and bottom; offset: from the block to the marker of the region.
-    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset) const
+    //! features: of left, top, right and bottom; offset: from the block to the marker of the region; excess: levels
+    //! that are added.
+    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset, int excess) const
     {
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
         const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
         const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
         const v_int16x8 even_away = difference(even, setPair(region.means[0], region.means[1]));
         const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
-        v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0]));
+        const v_int32x4 least = v_setall_s32(excess << 12);
+        v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
         if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
         {
             const v_int32x4 has_depth = v_reinterpret_as_s32(v_min(v_shr<24>(features), v_setall_u32(1)));
-            const v_int32x4 with_depth = v_dotprod(odd_away, odd_[1], v_dotprod(even_away, even_[1]));
+            const v_int32x4 with_depth = v_dotprod(odd_away, odd_[1], v_dotprod(even_away, even_[1], least));
             away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
         }
         const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
@@ -78,11 +80,12 @@ private:
 template <bool WITH_DEPTH> class RegionFlood
 {
 public:
-    RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
-                std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
+    RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
+                const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
-          priorities_of_(distance, ruler), step_(labels.step()), first_(labels.index(Point(-1, rows.start - 1))),
-          queues_(band.queues), batch_(band.batch), waiting_(band.waiting)
+          priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()),
+          first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch),
+          waiting_(band.waiting)
     {
         queues_.clear();
         waiting_.assign(size_t(step_) * (rows.size() + 2), short(CLOSED));
@@ -126,6 +129,14 @@ private:
         return bits;
     }
 
+    //! A region that holds both colours of a pattern is nearer to all blocks than others, which wait for their first
+    //! block of the other colour. So it must not grow without end.
+    int excessOf(const FloodRegion& region) const
+    {
+        const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES / 4; // a priority is a quarter of a level
+        return std::min(std::max(region.sum.area - usual_area_, 0), MOST / LEVELS_PER_BLOCK) * LEVELS_PER_BLOCK;
+    }
+
     //! Offers the neighbours of a block to its region, where none offers as much.
     void spread(int block)
     {
@@ -135,7 +146,8 @@ private:
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
         const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
                                                                   bitsOf(block + 1), bitsOf(block + step_)), region,
-                                                       region.center - labels_.point(block)),
+                                                       region.center - labels_.point(block),
+                                                       excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
         const int offsets[4] = { -1, -step_, 1, step_ };
@@ -156,27 +168,29 @@ private:
     FloodRegion* regions_;
     Padded<int>& labels_;
     const NeighborPriorities<WITH_DEPTH> priorities_of_;
-    const int step_, first_;
+    const int usual_area_, step_, first_;
     BucketQueue<int, FloodBuffers::PRIORITIES>& queues_;
     std::vector<int>& batch_;
     std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows
 };
 
 //! Floods some rows from seeds, by regions that are ready in the buffers.
-static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, const Range& rows,
-                      const Point* first_seed, const Point* end_seed, FloodBuffers& buffers, FloodBuffers::Band& band,
-                      Padded<int>& labels)
+static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
+                      const Range& rows, const Point* first_seed, const Point* end_seed, FloodBuffers& buffers,
+                      FloodBuffers::Band& band, Padded<int>& labels)
 {
     if (distance.with_depth)
-        RegionFlood<true>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
+        RegionFlood<true>(features, distance, ruler, usual_area, rows, buffers.regions, band, labels)
+            .run(first_seed, end_seed);
     else
-        RegionFlood<false>(features, distance, ruler, rows, buffers.regions, band, labels).run(first_seed, end_seed);
+        RegionFlood<false>(features, distance, ruler, usual_area, rows, buffers.regions, band, labels)
+            .run(first_seed, end_seed);
 }
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
 void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
-                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
+                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -197,8 +211,8 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
             }
-            floodRows(features, distance, ruler, bands[i].rows, markers.data() + own.start, markers.data() + own.end,
-                      buffers, buffers.bands[i], labels);
+            floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
+                      markers.data() + own.end, buffers, buffers.bands[i], labels);
             for (int m = own.start; m < own.end; m++)
             {
                 regions.sums[first + m] = buffers.regions[first + m].sum;
@@ -224,13 +238,13 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
                                 row[x - step] == UNSEEN || row[x + step] == UNSEEN))
                 seeds.push_back(Point(x, y));
     }
-    const int NO_RULER = 0;
+    const int NO_RULER = 0, ANY_AREA = INT_MAX;
     buffers.regions.resize(regions.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
         buffers.regions[i] = FloodRegion(regions.sums[i], Point());
-    floodRows(features, distance, NO_RULER, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(), buffers,
-              buffers.bands[0], labels);
+    floodRows(features, distance, NO_RULER, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
+              buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
     regions.update();

@@ -55,9 +55,10 @@ struct FloodBuffers
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
 //! are there.
-//! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256.
+//! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256. Regions of more
+//! pixels than usual_area come last.
 void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
-                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler,
+                     const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches

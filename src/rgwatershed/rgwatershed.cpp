@@ -37,12 +37,14 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
         floodFromUserMarkers(frame, plan);
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
     {
-        floodBlocks(plan, mask);
-        sweepAndMerge(plan);
+        const int markers_in_cell = floodBlocks(plan, mask);
+        sweepAndMerge(plan, markers_in_cell);
         if (parameters.temporal)
             tracker_.start(plan, features_[top], labels_[top], regions_);
     }
     settle(frame, plan, num_iterations);
+    if (plan.merges_pixels)
+        mergePixels(frame, plan);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top]);
@@ -51,16 +53,21 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     return regions_.size();
 }
 
-//! Steps 2 and 3: more regions than asked for.
-void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
+//! Steps 2 and 3: more regions than asked for. Returns how many of consecutive numbers began in the same cell.
+int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
     const FeatureMap& features = features_[plan.levels.top];
+    int markers_in_cell = 1;
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     if (mask.empty() && !plan.depth_adaptive)
     {
-        placeGridMarkers(gradient_, plan.num_markers, markers_);
-        divideIntoBands(features.size(), plan.num_markers, plan.band_height, bands_);
+        const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
+        const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
+        const MarkerGrid grid(features.size(), plan.num_markers / in_cell, in_cell);
+        placeGridMarkers(gradient_, grid, markers_);
+        divideIntoBands(grid, plan.band_height, bands_);
+        markers_in_cell = grid.parts.area();
     }
     else
     {
@@ -73,22 +80,26 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
-                    flood_buffers_, labels_[plan.levels.top], regions_);
+                    plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
+                    labels_[plan.levels.top], regions_);
     if (features.withNormals())
         measureSurfaces(features, labels_[plan.levels.top].view(CV_32SC1), regions_);
+    return markers_in_cell;
 }
 
 //! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it
 //! does not.
-void RGWatershed::sweepAndMerge(const Plan& plan)
+void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
 {
     CV_TRACE_FUNCTION();
+    MergeRules rules = plan.merge_rules;
+    rules.in_cell = markers_in_cell;
     const FeatureMap& features = features_[plan.levels.top];
     Padded<int>& labels = labels_[plan.levels.top];
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_superpixels, features, plan.flood_distance, plan.merge_rules, merge_buffers_, labels,
+    mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers_, labels,
                         regions_);
     if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
         merge_buffers_ = MergeBuffers();
@@ -118,10 +129,10 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     {
         const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
-        SweepRules rules = plan.sweep;
+        SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have no normals of their own
-        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1;
+        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1 && !plan.merges_pixels;
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
@@ -159,6 +170,20 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     }
 }
 
+//! Where time matters least: the last unions are chosen when boundaries are settled, by what varies inside of regions,
+//! too. This follows what people see more than any number of smaller blocks.
+void RGWatershed::mergePixels(const Frame& frame, const Plan& plan)
+{
+    CV_TRACE_FUNCTION();
+    const Mat labels = labels_[0].view(CV_32SC1);
+    measureRegions(features_[0], labels, regions_);
+    measureSquares(features_[0], labels, plan.flood_distance, regions_.size(), merge_buffers_.squares);
+    mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
+                        merge_buffers_, labels_[0], regions_);
+    merge_buffers_.squares.clear();
+    sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);
+}
+
 //! Each iteration after the first moves pixels where that explains the colours better.
 void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iterations)
 {
@@ -166,7 +191,7 @@ void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iter
     if (num_iterations == 1)
         return;
     VariationGuard guard(frame.color, labels_[0], regions_.size());
-    SweepRules rules = plan.sweep;
+    SweepRules rules = plan.sweepOn(0);
     rules.guard = &guard;
     for (int i = 1; i < num_iterations && sweepers_[0].moved(); i++)
     {

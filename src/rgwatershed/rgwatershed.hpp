@@ -28,11 +28,12 @@ public:
     FeatureMap features() const { return features_[0]; }
 
 private:
-    void floodBlocks(const Plan& plan, const Mat& mask);
-    void sweepAndMerge(const Plan& plan);
+    int floodBlocks(const Plan& plan, const Mat& mask);
+    void sweepAndMerge(const Plan& plan, int markers_in_cell);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
+    void mergePixels(const Frame& frame, const Plan& plan);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;

@@ -21,6 +21,8 @@ enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told a
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
+static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
+static const double MOST_AREA = 3.6;           // of a superpixel, in mean areas, that still gains blocks or pixels
 static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -43,7 +45,25 @@ static const float SURFACE_TRUST = 2, NORMAL_SCALE = 1.3f;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
-static const double PRICE_BEFORE_MERGING = 2.5, PRICE = 22;
+static const double PRICE = 22;
+
+//! What the effort that the user sets stands for: how fine the flood starts, and what is merged where.
+struct EffortRules
+{
+    double blocks_for_side, most_blocks; //!< for each superpixel at least so many, by its side in pixels, up to a limit
+    int markers;                 //!< for each superpixel, at most
+    double price_before_merging; //!< of boundary
+    double regions_on_pixels;    //!< for each superpixel: so many are settled to the pixels, and merged there
+};
+
+inline const EffortRules& effortRules(int effort)
+{
+    static const EffortRules RULES[] = { { 0.6, 12, 2, 0.5, 1 },
+                                         { 1, 12, 4, 0.5, 1 },
+                                         { 2.4, 45, 8, 10, 1 },
+                                         { 2.4, 45, 10, 10, 3 } };
+    return RULES[effort];
+}
 
 //! Rows of blocks that are flooded by themselves, at least: several superpixels, so that few lie at a border.
 inline int floodBandHeight(double blocks, int num_superpixels)
@@ -62,24 +82,37 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, false };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
+    rules.noise = 205 + cvRound(8 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
+    return rules;
+}
+
+//! The last merging where there is one of pixels: by variances, and with the compactness that the ruler asks for.
+inline MergeRules pixelMergeRules(float ruler)
+{
+    MergeRules rules = MERGE_BY_VARIANCES;
+    rules.length = cvRound(double(rules.length) * mergeRules(ruler).length / mergeRules(10).length);
     return rules;
 }
 
 //! How many blocks a number of superpixels must keep: more if their boundary may be irregular, fewer where superpixels
 //! are small, because a smaller block is not much better than what the sweeps of pixels make of it.
-inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler)
+inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, const EffortRules& effort)
 {
-    const double MOST = 12; // for each superpixel; else the length of its side in pixels
     const double side = std::sqrt(double(num_pixels) / num_superpixels);
-    return num_superpixels * std::min(side, MOST) * (2 - std::min(ruler / 10, 1.f));
+    return num_superpixels * std::min(effort.blocks_for_side * side, effort.most_blocks) *
+           (2 - std::min(ruler / 10, 1.f));
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
-inline int markersPerSuperpixel(double blocks_per_superpixel)
+inline int markersPerSuperpixel(double blocks_per_superpixel, const EffortRules& effort)
 {
-    return blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3 : 4;
+    const int BLOCKS_FOR_MARKER = 5;
+    const int wanted = blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3
+                     : std::max(4, int(std::min(blocks_per_superpixel / BLOCKS_FOR_MARKER, 1e6)));
+    const int markers = std::min(wanted, effort.markers);
+    return markers == 5 || markers == 7 ? markers - 1 : markers; // parts of a cell would be strips
 }
 
 //! Sweeps of the blocks that were flooded.

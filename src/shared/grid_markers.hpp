@@ -9,13 +9,32 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Divides the image into a grid of num_markers cells and places one marker in each. num_markers <= pixels.
-void placeGridMarkers(const Mat& gradient, int num_markers, std::vector<Point>& markers);
+//! A grid of cells, nearly square, whose rows differ by at most one cell. Each cell has the same number of parts, with
+//! a marker in each. Markers have consecutive numbers in a cell.
+struct MarkerGrid
+{
+    //! One marker in each cell.
+    MarkerGrid(Size size, int num_cells);
+    //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many
+    //! cells as markers.
+    MarkerGrid(Size size, int num_cells, int markers_in_cell);
+
+    int numMarkers() const { return num_cells * parts.area(); }
+    //! The i-th of the n + 1 limits that divide a side of the image into n equal parts.
+    int limit(int length, int i, int n) const;
+
+    Size size;      //!< of the image
+    int num_cells, rows;
+    Size parts;     //!< of each cell
+    bool symmetric; //!< a mirrored image has the mirrored grid
+};
+
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
-//! cell. Of equal ones the nearest to the centre, then the first in raster order. It lies in the cell, so no two
-//! markers are at the same place.
-Point findMarker(const Mat& gradient, const Rect& cell);
+//! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in
+//! raster order. It lies in the cell, so no two markers are at the same place.
+Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric = false);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand
@@ -31,7 +50,7 @@ inline MarkerBand wholeBand(Size size, int num_markers)
 }
 
 //! Divides the grid into bands of whole rows of cells, each at least `height` pixels high if the image is.
-void divideIntoBands(Size size, int num_markers, int height, std::vector<MarkerBand>& bands);
+void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace
 

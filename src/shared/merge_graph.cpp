@@ -230,6 +230,15 @@ void MergeGraph::join(int k, std::vector<int>& table)
     list.count = count;
 }
 
+void MergeGraph::forgetCosts()
+{
+    for (size_t k = 0; k < known_.size(); k++)
+    {
+        fresh_[k].append(known_[k], 0, known_[k].count);
+        known_[k].count = 0;
+    }
+}
+
 void MergeGraph::settle(int k)
 {
     known_[k].append(fresh_[k], 0, fresh_[k].count);

@@ -79,6 +79,9 @@ public:
     //! Makes one edge of the fresh ones between the same regions.
     void join(int k, std::vector<int>& table);
 
+    //! All edges are fresh again, because costs are to change.
+    void forgetCosts();
+
     //! The costs of the fresh ones are known now.
     void settle(int k);
 

@@ -33,6 +33,12 @@ void Parameters::setRuler(float value)
     ruler = value;
 }
 
+void Parameters::setEffort(int value)
+{
+    CV_Check(value, value >= 0 && value <= 3, "effort must be in [0, 3]");
+    effort = value;
+}
+
 void Parameters::setAlpha(float value)
 {
     CV_Check(value, value >= 0 && value <= 1, "alpha must be in [0, 1]");
@@ -83,6 +89,7 @@ void Parameters::write(FileStorage& fs) const
        << "region_size" << region_size
        << "num_superpixels" << num_superpixels
        << "ruler" << ruler
+       << "effort" << effort
        << "alpha" << alpha
        << "lab_input" << int(lab_input)
        << "temporal" << int(temporal)
@@ -125,6 +132,7 @@ Parameters Parameters::read(const FileNode& fn)
     else
         parameters.setRegionSize(region_size);
     parameters.setRuler(readValue<float>(fn, "ruler"));
+    parameters.setEffort(readInteger(fn, "effort"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
     parameters.lab_input = readInteger(fn, "lab_input") != 0;
     parameters.temporal = readInteger(fn, "temporal") != 0;

@@ -16,6 +16,7 @@ struct Parameters
     int region_size = 10;   //!< 0: num_superpixels rules
     int num_superpixels = 0;
     float ruler = 10.f;
+    int effort = 1;
     float alpha = 0.5f;
     bool lab_input = false;
     bool temporal = false;
@@ -33,6 +34,7 @@ struct Parameters
     void setRegionSize(int value);
     void setDesiredSuperpixels(int value);
     void setRuler(float value);
+    void setEffort(int value);
     void setAlpha(float value);
     void setValueRange(float low, float high);
     void setDepthRange(float first, float last);

@@ -12,8 +12,14 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
-static const int64 UNKNOWN_VARIANCE = 120 * 256;
+static const int UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
+
+// The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
+// first where colours are even, and superpixels are the cells of the grid there.
+enum { NOISE_IN_CELL = 48 };
+
+enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
 static inline int logarithm(float value)
@@ -76,24 +82,30 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
 //! roots and no divisions. With d the distance of the means, v the variances, n the areas, h the mean contrast across
 //! the boundary, l its length, L the lightness of the means, m that of the union:
-//!     (64 d^2 / V + 1)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture,   V = v1 + v2 + 16
+//!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
+//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
+//!     max(1, (n1 + n2) / usual area)^32,   V = v1 + v2 + 16
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
-//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + 1) is as good as
-//! (d^2 + 4). The cost is the same for both orders of the regions.
+//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
+//! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
+//! these are to each other, and takes in one after the other. The cost is the same for both orders of the regions.
+//! @note The sum with the noise is one of integers: compilers may round a product and a sum of floats once or twice.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
-                            const MergeRegion& b, const MergeEdge& edge)
+                            const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
-    const float variance = a.variance + b.variance + 16 * 256;
+    const int noise = a.cell == b.cell ? int(NOISE_IN_CELL) : rules.noise;
+    const int variance = a.variance + b.variance + 16 * 256;
+    const int64 noisy_distance = 64 * int64(squared_distance) + ((noise * int64(variance)) >> 8);
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
-    return rules.distance * (logarithm(64 * float(squared_distance) + variance) - logarithm(variance)) +
+    return rules.distance * (logarithm(float(noisy_distance)) - logarithm(float(variance))) +
+           EXCESS * std::max(0, log_union - log_usual_area) +
            rules.areas * (a.log_area + b.log_area - log_union) +
            rules.contrast * (log_contrast - log_length) -
            rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
            rules.brightness * (logarithm(a.light + b.light) - log_union) +
-           rules.texture * logarithm(std::max(a.variance, b.variance) + 8 * 256);
+           rules.texture * logarithm(float(std::max(a.variance, b.variance) + 8 * 256));
 }
 
 //! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
@@ -143,20 +155,43 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& r
     start();
 }
 
+//! Sets the area that is usual when so many regions are left.
+void SimilarMerger::expect(int num_regions)
+{
+    log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
+}
+
 void SimilarMerger::run(int num_regions)
 {
+    expect(num_regions);
     while (num_left_ > num_regions && runRound(num_regions, false))
         b_.graph.relabel(b_.parents, b_.changed);
+}
+
+//! The two highest bits: how many regions there are, so roughly that costs are taken anew a few times only.
+static int leadingBits(int n)
+{
+    int lowest = 1;
+    while (n / lowest >= 4)
+        lowest *= 2;
+    return n / lowest * lowest;
 }
 
 std::vector<Vec2i> SimilarMerger::runToTheEnd()
 {
     std::vector<Vec2i> unions;
+    int expected = leadingBits(num_left_);
+    expect(expected);
     while (runRound(1, true))
     {
         for (size_t i = 0; i < b_.chosen.size(); i++)
             unions.push_back(Vec2i(b_.chosen[i].from, b_.chosen[i].to));
         b_.graph.relabel(b_.parents, b_.changed);
+        if (leadingBits(num_left_) == expected)
+            continue;
+        expected = leadingBits(num_left_);
+        expect(expected);
+        b_.graph.forgetCosts();
     }
     return unions;
 }
@@ -179,6 +214,9 @@ void SimilarMerger::start()
             b_.records[i] = describe(i);
         }
     });
+    area_ = 0;
+    for (int i = 0; i < n; i++)
+        area_ += b_.records[i].area;
 }
 
 //! The square of a sum over the number is taken apart, so that nothing is rounded before the end:
@@ -204,8 +242,8 @@ MergeRegion SimilarMerger::describe(int region) const
             ? areaScale(mean.depth, regions_.surfaces.camera) : 1.f;
     const float area = float(sum.area) * scale;
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
-                           float(b_.squares.empty() ? UNKNOWN_VARIANCE : variance(region)),
-                           float(sum.color[0] + 16 * int64(sum.area)) * scale };
+                           b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
+                           float(sum.color[0] + 16 * int64(sum.area)) * scale, region / rules_.in_cell };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -273,7 +311,7 @@ void SimilarMerger::findCosts(EdgeList& list) const
                                                              surfaces[edge.b])
                            : with_depth ? squaredDistance(distance_, a.mean, b.mean)
                                         : squaredDistance(a.mean, b.mean);
-        edge.cost = unionCost(rules, distance, light_level, a, b, edge);
+        edge.cost = unionCost(rules, distance, light_level, a, b, edge, log_usual_area_);
     }
 }
 
@@ -357,9 +395,10 @@ void SimilarMerger::choose(size_t count)
 
 //! Each region may go into its best neighbour, also if it is not the best one of that, the cheapest first, unless one
 //! of them went before, or the first one took in others. What many want to go into stays, so that no round does little.
+//! What took in so many that it is larger than usual, and twice as large as it was, takes in no more.
 void SimilarMerger::chooseOneSided(double share, size_t most)
 {
-    const int MANY = 16;
+    const int MANY = 16, DOUBLED = 256;
     std::vector<MergePair> wishes;
     std::vector<int> votes(regions_.size(), 0);
     for (size_t k = 0; k < b_.bands.size(); k++)
@@ -375,12 +414,18 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
 
     enum { GONE = 1, TOOK = 2 };
     std::vector<uchar> states(regions_.size(), 0);
+    std::vector<float> areas(regions_.size(), 0.f); // of what took in others
     b_.chosen.clear();
     for (size_t i = 0; i < wishes.size() && b_.chosen.size() < most; i++)
     {
         const MergePair& wish = wishes[i];
         if (votes[wish.from] > MANY || states[wish.from] != 0 || states[wish.to] == GONE)
             continue;
+        const float area = std::max(areas[wish.to], b_.records[wish.to].area) + b_.records[wish.from].area;
+        if (states[wish.to] == TOOK &&
+            logarithm(area) > std::max(log_usual_area_, b_.records[wish.to].log_area + DOUBLED))
+            continue;
+        areas[wish.to] = area;
         states[wish.from] = GONE;
         states[wish.to] = TOOK;
         b_.chosen.push_back(wish);

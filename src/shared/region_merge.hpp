@@ -19,8 +19,14 @@ struct MergeRules
     int lightness;  //!< a difference of it makes it cheap, because shading varies within things
     int brightness; //!< makes it cheap, because bright colours differ more
     int texture;    //!< the larger variance: rough regions should not take in others
+    float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
+    int noise;      //!< a squared distance that means little, in 1/256 of the variance
+    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface; //!< areas are those on the surface, not in the image
 };
+
+//! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
+static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1, false };
 
 //! What the cost of a union reads of a region.
 struct MergeRegion
@@ -28,8 +34,9 @@ struct MergeRegion
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
-    float variance; //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
+    int variance;  //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
+    int cell;      //!< of the grid of markers, in which the region began
 };
 
 //! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
@@ -85,6 +92,7 @@ public:
 
 private:
     void start();
+    void expect(int num_regions);
     int64 variance(int region) const;
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
@@ -101,6 +109,8 @@ private:
 
     const RegionDistance distance_;
     const MergeRules rules_;
+    double area_;        // of all regions
+    int log_usual_area_; // above it, unions are expensive
     MergeBuffers& b_;
     Regions& regions_;
     int num_left_;

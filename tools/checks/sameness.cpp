@@ -67,6 +67,8 @@ static Ptr<SuperpixelGWatershed> makeObject(int number, Size size, Numbers& numb
             size.width, size.height, 3, asked, number % 2 ? GWATERSHED : RGWATERSHED, numbers.from(rulers));
     if (numbers.below(2))
         gws->setRegionSize(2 + numbers.below(30));
+    if (numbers.below(3) == 0)
+        gws->setEffort(numbers.below(4));
     gws->setAlpha(numbers.from(alphas));
     gws->setBorderThreshold(numbers.from(thresholds));
     gws->setLabInput(numbers.below(4) == 0);

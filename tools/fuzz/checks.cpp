@@ -17,6 +17,16 @@
 namespace fuzz
 {
 
+static int ignoreError(int, const char*, const char*, const char*, int, void*)
+{
+    return 0;
+}
+
+void silenceErrors()
+{
+    cv::redirectError(ignoreError);
+}
+
 void require(bool holds, const char* property)
 {
     if (holds)
@@ -38,8 +48,8 @@ bool same(const Mat& a, const Mat& b)
 
 Settings settingsOf(const SuperpixelGWatershed& gws)
 {
-    const Settings settings = { gws.getAlgorithm(), gws.getRegionSize(), gws.getDesiredSuperpixels(), gws.getRuler(),
-                                gws.getAlpha(), gws.getLabInput(), gws.getTemporal(), gws.getLowValue(),
+    const Settings settings = { gws.getAlgorithm(), gws.getRegionSize(), gws.getDesiredSuperpixels(), gws.getEffort(),
+                                gws.getRuler(), gws.getAlpha(), gws.getLabInput(), gws.getTemporal(), gws.getLowValue(),
                                 gws.getHighValue(), gws.getNearDepth(), gws.getFarDepth(), gws.getBorderThreshold() };
     return settings;
 }
@@ -47,7 +57,7 @@ Settings settingsOf(const SuperpixelGWatershed& gws)
 bool operator==(const Settings& a, const Settings& b)
 {
     return a.algorithm == b.algorithm && a.region_size == b.region_size && a.num_superpixels == b.num_superpixels &&
-           a.ruler == b.ruler && a.alpha == b.alpha && a.lab_input == b.lab_input &&
+           a.effort == b.effort && a.ruler == b.ruler && a.alpha == b.alpha && a.lab_input == b.lab_input &&
            a.temporal == b.temporal && a.low_value == b.low_value && a.high_value == b.high_value &&
            a.near_depth == b.near_depth && a.far_depth == b.far_depth &&
            a.border_threshold == b.border_threshold;
@@ -57,7 +67,7 @@ bool inRange(const Settings& s)
 {
     return (s.algorithm == cv::ximgproc::GWATERSHED || s.algorithm == cv::ximgproc::RGWATERSHED) &&
            ((s.region_size >= 1 && s.num_superpixels == 0) || (s.region_size == 0 && s.num_superpixels >= 1)) &&
-           s.ruler >= 0 && s.ruler <= FLT_MAX && s.alpha >= 0 && s.alpha <= 1 &&
+           s.effort >= 0 && s.effort <= 3 && s.ruler >= 0 && s.ruler <= FLT_MAX && s.alpha >= 0 && s.alpha <= 1 &&
            ((s.low_value == 0 && s.high_value == 0) || s.low_value < s.high_value) && s.low_value >= -FLT_MAX &&
            s.high_value <= FLT_MAX &&
            ((s.near_depth == 0 && s.far_depth == 0) || (s.near_depth >= 0 && s.near_depth < s.far_depth)) &&

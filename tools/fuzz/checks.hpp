@@ -24,6 +24,9 @@ using cv::Scalar;
 using cv::Size;
 using cv::ximgproc::SuperpixelGWatershed;
 
+//! From here on OpenCV does not print the exceptions that it throws.
+void silenceErrors();
+
 //! Ends the program with a message if a property does not hold.
 void require(bool holds, const char* property);
 
@@ -33,7 +36,7 @@ bool same(const Mat& a, const Mat& b);
 //! The parameters of an object.
 struct Settings
 {
-    int algorithm, region_size, num_superpixels;
+    int algorithm, region_size, num_superpixels, effort;
     float ruler, alpha;
     bool lab_input, temporal;
     float low_value, high_value, near_depth, far_depth, border_threshold;

@@ -16,16 +16,6 @@ using cv::ximgproc::createSuperpixelGWatershed;
 using cv::ximgproc::GWATERSHED;
 using cv::ximgproc::RGWATERSHED;
 
-static int ignoreError(int, const char*, const char*, const char*, int, void*)
-{
-    return 0;
-}
-
-void silenceErrors()
-{
-    cv::redirectError(ignoreError);
-}
-
 //! What can be seen of an object.
 struct Session::State
 {
@@ -309,7 +299,7 @@ void Session::setParameter()
 {
     Settings s = settingsOf(*gws_);
     const char* const name = "setters take what is in range";
-    switch (bytes_.ConsumeIntegralInRange(0, 9))
+    switch (bytes_.ConsumeIntegralInRange(0, 10))
     {
     case 0:
         s.algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), 199, 202, 0, INT_MIN });
@@ -350,6 +340,10 @@ void Session::setParameter()
         s.near_depth = takeFloat(3000, bytes_);
         s.far_depth = oneIn(2, bytes_) ? s.near_depth + takeFloat(4000, bytes_) : takeFloat(7000, bytes_);
         attempt(inRange(s), name, [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); });
+        break;
+    case 9:
+        s.effort = takeInt(4, bytes_);
+        attempt(inRange(s), name, [&]() { gws_->setEffort(s.effort); });
         break;
     default:
         s.border_threshold = takeFloat(1500, bytes_);
@@ -461,8 +455,8 @@ void Session::writeAndRead()
 //! Parameters from a file that somebody else has written.
 void Session::readNumbers()
 {
-    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "alpha", "lab_input",
-                                  "temporal", "low_value", "high_value", "near_depth", "far_depth",
+    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "effort", "alpha",
+                                  "lab_input", "temporal", "low_value", "high_value", "near_depth", "far_depth",
                                   "border_threshold" };
     FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
     FileStorage own(".yml", FileStorage::WRITE | FileStorage::MEMORY);

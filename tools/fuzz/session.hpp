@@ -11,9 +11,6 @@
 namespace fuzz
 {
 
-//! From here on OpenCV does not print the exceptions that it throws.
-void silenceErrors();
-
 //! Makes an object and calls it as the bytes say. Every call must do what it is documented to do, or, where an
 //! argument is wrong, throw cv::Exception and change nothing.
 class Session

@@ -274,6 +274,7 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         assertEquals(9, gws.getRegionSize());
         gws.setDesiredSuperpixels(77);
         gws.setRuler(3.5f);
+        gws.setEffort(3);
         gws.setAlpha(0.75f);
         gws.setLabInput(true);
         gws.setTemporal(true);
@@ -287,6 +288,7 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
         assertEquals(0, gws.getRegionSize());
         assertEquals(77, gws.getDesiredSuperpixels());
         assertEquals(3.5f, gws.getRuler());
+        assertEquals(3, gws.getEffort());
         assertEquals(0.75f, gws.getAlpha());
         assertTrue(gws.getLabInput());
         assertTrue(gws.getTemporal());

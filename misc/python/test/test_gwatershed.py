@@ -54,6 +54,8 @@ METHODS = {
     "getDesiredSuperpixels": ["() -> retval"],
     "setRuler": ["([, ruler]) -> None"],
     "getRuler": ["() -> retval"],
+    "setEffort": ["([, effort]) -> None"],
+    "getEffort": ["() -> retval"],
     "setAlpha": ["([, alpha]) -> None"],
     "getAlpha": ["() -> retval"],
     "setLabInput": ["(lab_input) -> None"],
@@ -337,7 +339,7 @@ class gwatershed_test(TestCase):
         gws = ximgproc.createSuperpixelGWatershed(make_image())
         for setter, getter, other, default in (
                 (gws.setAlpha, gws.getAlpha, 0.25, 0.5), (gws.setRuler, gws.getRuler, 3, 10),
-                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150),
+                (gws.setBorderThreshold, gws.getBorderThreshold, 70, 150), (gws.setEffort, gws.getEffort, 3, 1),
                 (gws.setRegionSize, gws.getRegionSize, 7, 10),
                 (gws.setAlgorithm, gws.getAlgorithm, ximgproc.GWATERSHED, ximgproc.RGWATERSHED)):
             setter(other)
@@ -451,13 +453,14 @@ class gwatershed_test(TestCase):
         gws.setAlgorithm(ximgproc.GWATERSHED)
         gws.setDesiredSuperpixels(77)
         gws.setRuler(3.5)
+        gws.setEffort(2)
         gws.setAlpha(0.75)
         gws.setDepthRange(near_depth=400, far_depth=4000)
         gws.setValueRange(low_value=-1000, high_value=3000)
         gws.setBorderThreshold(100)
         self.assertEqual(gws.getAlgorithm(), ximgproc.GWATERSHED)
         self.assertEqual((gws.getDesiredSuperpixels(), gws.getRegionSize()), (77, 0))
-        self.assertEqual((gws.getRuler(), gws.getAlpha()), (3.5, 0.75))
+        self.assertEqual((gws.getRuler(), gws.getAlpha(), gws.getEffort()), (3.5, 0.75, 2))
         self.assertEqual((gws.getNearDepth(), gws.getFarDepth()), (400, 4000))
         self.assertEqual((gws.getLowValue(), gws.getHighValue()), (-1000, 3000))
         self.assertRaises(Error, gws.setValueRange, 2, 1)
@@ -471,7 +474,7 @@ class gwatershed_test(TestCase):
         image = make_image()
         gws = ximgproc.createSuperpixelGWatershed(image)
         self.assertTrue(gws.empty())
-        for call in (gws.getLabels, lambda: gws.setRegionSize(0), lambda: gws.setAlpha(2),
+        for call in (gws.getLabels, lambda: gws.setRegionSize(0), lambda: gws.setAlpha(2), lambda: gws.setEffort(4),
                      lambda: gws.iterate(np.dstack([image, image])), lambda: gws.iterate(image, image)):
             self.assertRaises(Error, call)
         gws.iterate()

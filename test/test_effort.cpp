@@ -1,0 +1,239 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// setEffort(): how much time is taken for better superpixels.
+
+const int EFFORTS[] = { 0, 1, 2, 3 };
+
+typedef testing::TestWithParam<int> ximgproc_GWatershed_effort;
+
+Ptr<SuperpixelGWatershed> createWithEffort(Size size, int num_superpixels, int effort)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, num_superpixels);
+    gws->setEffort(effort);
+    return gws;
+}
+
+Mat segmentWithEffort(const Mat& image, int num_superpixels, int effort)
+{
+    Ptr<SuperpixelGWatershed> gws = createWithEffort(image.size(), num_superpixels, effort);
+    gws->iterate(image);
+    return labelsOf(gws);
+}
+
+//! Cells of random points.
+Mat makeCells(Size size, int count, RNG& rng)
+{
+    std::vector<Point> centers;
+    for (int i = 0; i < count; i++)
+        centers.push_back(Point(rng.uniform(0, size.width), rng.uniform(0, size.height)));
+    Mat cells(size, CV_32SC1);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+        {
+            int nearest = 0, least = INT_MAX;
+            for (int i = 0; i < count; i++)
+            {
+                const Point d = centers[i] - Point(x, y);
+                if (d.dot(d) < least)
+                {
+                    least = d.dot(d);
+                    nearest = i;
+                }
+            }
+            cells.at<int>(y, x) = nearest;
+        }
+    return cells;
+}
+
+//! A colour for each cell, with shading, blur and noise.
+Mat paintCells(const Mat& cells, int count, RNG& rng)
+{
+    std::vector<Vec3b> colors;
+    for (int i = 0; i < count; i++)
+        colors.push_back(Vec3b(uchar(rng.uniform(60, 200)), uchar(rng.uniform(60, 200)), uchar(rng.uniform(60, 200))));
+    Mat image(cells.size(), CV_8UC3), noise(cells.size(), CV_16SC3);
+    for (int y = 0; y < cells.rows; y++)
+        for (int x = 0; x < cells.cols; x++)
+        {
+            const int shade = (x * (cells.at<int>(y, x) % 3) + y * (cells.at<int>(y, x) % 5)) / 3 % 64;
+            image.at<Vec3b>(y, x) = colors[cells.at<int>(y, x)] + Vec3b::all(uchar(std::abs(shade - 32)));
+        }
+    GaussianBlur(image, image, Size(5, 5), 0);
+    rng.fill(noise, RNG::NORMAL, Scalar::all(0), Scalar::all(4));
+    cv::add(image, noise, image, noArray(), CV_8U);
+    return image;
+}
+
+//! Pixels that are not in the cell that most of their superpixel lies in.
+int countLeaks(const Mat& labels, int num_labels, const Mat& cells, int num_cells)
+{
+    Mat common(num_labels, num_cells, CV_32SC1, Scalar(0));
+    for (int y = 0; y < cells.rows; y++)
+        for (int x = 0; x < cells.cols; x++)
+            common.at<int>(labels.at<int>(y, x), cells.at<int>(y, x))++;
+    int leaks = cells.size().area();
+    for (int i = 0; i < num_labels; i++)
+        leaks -= *std::max_element(common.ptr<int>(i), common.ptr<int>(i) + num_cells);
+    return leaks;
+}
+
+TEST_P(ximgproc_GWatershed_effort, gives_the_number_of_connected_superpixels)
+{
+    RNG& rng = theRNG();
+    const float rulers[] = { 0, 1, 10, 40 };
+    for (int i = 0; i < 40; i++)
+    {
+        const Size size(rng.uniform(1, 160), rng.uniform(1, 120));
+        const Mat image = makeImage(ImageKind(i % IMAGE_KINDS), size, i % 2 ? 1 : 3, rng);
+        const int wanted = rng.uniform(1, 2 + size.area() / rng.uniform(1, 500));
+        Ptr<SuperpixelGWatershed> gws = createWithEffort(size, wanted, GetParam());
+        gws->setRuler(rulers[rng.uniform(0, 4)]);
+        if (i % 3)
+            gws->iterate(image, 1 + i % 4);
+        else
+            gws->iterate(image, makeDepth(size, 0.2, rng), 1 + i % 4);
+        const int expected = std::min(wanted, size.area());
+        EXPECT_EQ(expected, gws->getNumberOfSuperpixels()) << size << ", " << i;
+        expectPartition(labelsOf(gws), size, gws->getNumberOfSuperpixels());
+    }
+}
+
+TEST_P(ximgproc_GWatershed_effort, stays_inside_of_a_mask)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 3 * MASK_KINDS; i++)
+    {
+        const Size size(rng.uniform(30, 200), rng.uniform(30, 150));
+        const Mat image = makeScene(size, rng), mask = makeMask(MaskKind(i % MASK_KINDS), size, rng);
+        const int wanted = rng.uniform(1, 200);
+        Ptr<SuperpixelGWatershed> gws = createWithEffort(size, wanted, GetParam());
+        gws->setMask(mask);
+        gws->iterate(image);
+        expectMaskedPartition(labelsOf(gws), mask, gws->getNumberOfSuperpixels());
+        const int pixels = countNonZero(mask);
+        EXPECT_EQ(std::min(std::max(wanted, countMaskPieces(mask)), pixels), gws->getNumberOfSuperpixels());
+    }
+}
+
+TEST_P(ximgproc_GWatershed_effort, labels_do_not_depend_on_threads)
+{
+    const Mat image = makeScene(Size(500, 380), theRNG());
+    for (int num_superpixels = 100; num_superpixels <= 6400; num_superpixels *= 8)
+    {
+        Mat expected;
+        for (int threads = 1; threads <= 8; threads *= 2)
+        {
+            const ThreadsGuard guard(threads);
+            const Mat labels = segmentWithEffort(image, num_superpixels, GetParam());
+            if (threads == 1)
+                expected = labels;
+            EXPECT_TRUE(equalMats(expected, labels)) << threads << " threads";
+        }
+    }
+}
+
+TEST_P(ximgproc_GWatershed_effort, larger_rulers_give_more_compact_superpixels)
+{
+    const Mat image = makeScene(Size(320, 240), theRNG());
+    double before = 0;
+    for (const float ruler : { 0.f, 1.f, 5.f, 10.f, 40.f })
+    {
+        Ptr<SuperpixelGWatershed> gws = createWithEffort(image.size(), 200, GetParam());
+        gws->setRuler(ruler);
+        gws->iterate(image);
+        const double now = compactness(labelsOf(gws));
+        EXPECT_GT(now, before) << "ruler " << ruler;
+        before = now;
+    }
+}
+
+TEST_P(ximgproc_GWatershed_effort, changes_nothing_with_markers_or_for_the_algorithm_of_the_paper)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(120, 90), rng);
+    Ptr<SuperpixelGWatershed> with = createWithEffort(image.size(), 40, GetParam());
+    Ptr<SuperpixelGWatershed> without = createSuperpixelGWatershed(120, 90, 3, 40);
+    for (int i = 0; i < 4; i++)
+    {
+        const Mat markers = i == 3 ? Mat() : makeMarkers(image.size(), 30, rng);
+        for (const Ptr<SuperpixelGWatershed>& gws : { with, without })
+        {
+            gws->setAlgorithm(i == 3 ? GWATERSHED : RGWATERSHED);
+            gws->setMarkers(markers);
+            gws->iterate(image, 1 + i);
+        }
+        EXPECT_TRUE(equalMats(labelsOf(without), labelsOf(with)));
+    }
+}
+
+INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_effort, testing::ValuesIn(EFFORTS));
+
+TEST(ximgproc_SuperpixelGWatershed, effort_is_1_unless_set)
+{
+    const Mat image = makeScene(Size(200, 150), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(200, 150, 3, 75);
+    EXPECT_EQ(1, gws->getEffort());
+    gws->iterate(image);
+    EXPECT_TRUE(equalMats(segmentWithEffort(image, 75, 1), labelsOf(gws)));
+}
+
+TEST(ximgproc_SuperpixelGWatershed, more_effort_than_usual_leaks_less)
+{
+    RNG& rng = theRNG();
+    const int num_images = 12, num_cells = 90, num_superpixels = 190;
+    double leaks[4] = {};
+    for (int i = 0; i < num_images; i++)
+    {
+        const Mat cells = makeCells(Size(320, 240), num_cells, rng), image = paintCells(cells, num_cells, rng);
+        for (const int effort : EFFORTS)
+            leaks[effort] += countLeaks(segmentWithEffort(image, num_superpixels, effort), num_superpixels, cells,
+                                        num_cells);
+    }
+    EXPECT_LT(leaks[2], 0.95 * leaks[1]);
+    EXPECT_LT(leaks[3], 0.97 * leaks[2]);
+    EXPECT_LT(leaks[3], 0.95 * leaks[0]);
+}
+
+Ptr<SuperpixelGWatershed> createTemporalWithEffort(Size size, int effort)
+{
+    Ptr<SuperpixelGWatershed> gws = createWithEffort(size, 75, effort);
+    gws->setTemporal(true);
+    return gws;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, effort_3_of_a_video_is_effort_2)
+{
+    const Mat scene = makeScene(Size(220, 160), theRNG());
+    Ptr<SuperpixelGWatershed> two = createTemporalWithEffort(Size(200, 150), 2);
+    Ptr<SuperpixelGWatershed> three = createTemporalWithEffort(Size(200, 150), 3);
+    for (int i = 0; i < 4; i++)
+    {
+        const Mat frame = scene(Rect(2 * i, i, 200, 150));
+        two->iterate(frame);
+        three->iterate(frame);
+        EXPECT_TRUE(equalMats(labelsOf(two), labelsOf(three))) << i;
+    }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, frames_start_anew_where_the_effort_changes_the_blocks)
+{
+    const Mat image = makeScene(Size(200, 150), theRNG());
+    Ptr<SuperpixelGWatershed> gws = createTemporalWithEffort(image.size(), 1), fresh;
+    gws->iterate(image);
+    for (const int effort : { 2, 0, 2, 1 })
+    {
+        gws->setEffort(effort);
+        gws->iterate(image);
+        fresh = createTemporalWithEffort(image.size(), effort);
+        fresh->iterate(image);
+        EXPECT_TRUE(equalMats(labelsOf(fresh), labelsOf(gws))) << "effort " << effort;
+    }
+}
+
+}} // namespace

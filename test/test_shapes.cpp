@@ -1,0 +1,243 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// What a person expects of superpixels where there is little to follow, or too much: RGWATERSHED on patterns, even
+// areas, ramps, and thin lines.
+
+const int REGION_SIZES[] = { 13, 14, 17, 20, 21, 30 };
+const int MERGED = 10; // times as many superpixels, which are merged
+
+Mat superpixels(const Mat& image, int region_size, float ruler = 10, int times = 1)
+{
+    const int n = cvRound(double(image.total()) / (region_size * region_size));
+    Ptr<SuperpixelGWatershed> gws =
+            createSuperpixelGWatershed(image.cols, image.rows, image.channels(), n * times, RGWATERSHED, ruler);
+    gws->iterate(image);
+    gws->mergeSimilar(n);
+    return labelsOf(gws);
+}
+
+std::vector<std::vector<Point> > pixelsOf(const Mat& labels)
+{
+    double last = 0;
+    minMaxLoc(labels, 0, &last);
+    std::vector<std::vector<Point> > pixels(int(last) + 1);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            pixels[labels.at<int>(y, x)].push_back(Point(x, y));
+    return pixels;
+}
+
+//! Areas of the smallest and of the largest superpixel, in mean areas.
+Vec2d extremeAreas(const Mat& labels)
+{
+    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
+    const double mean = double(labels.total()) / double(pixels.size());
+    Vec2d extremes(1, 1);
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        extremes[0] = std::min(extremes[0], double(pixels[i].size()) / mean);
+        extremes[1] = std::max(extremes[1], double(pixels[i].size()) / mean);
+    }
+    return extremes;
+}
+
+//! The median over the superpixels of the longer side of the bounding box over the shorter one.
+double medianAspect(const Mat& labels)
+{
+    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
+    std::vector<double> aspects;
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        const Size box = boundsOf(pixels[i]).size();
+        aspects.push_back(double(std::max(box.width, box.height)) / std::min(box.width, box.height));
+    }
+    std::nth_element(aspects.begin(), aspects.begin() + aspects.size() / 2, aspects.end());
+    return aspects[aspects.size() / 2];
+}
+
+void addNoise(Mat& image, double level)
+{
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols * image.channels(); x++)
+        {
+            uchar& value = image.ptr(y)[x];
+            value = saturate_cast<uchar>(value + cvRound(theRNG().gaussian(level)));
+        }
+}
+
+enum PatternKind { BOARD, UPRIGHT_STRIPES, LEVEL_STRIPES, SLANTED_STRIPES, BOARD_IN_PERSPECTIVE, PATTERN_KINDS };
+
+Mat makePattern(PatternKind kind, int side, bool colored)
+{
+    const Vec3b colors[2][2] = { { Vec3b(60, 60, 60), Vec3b(200, 200, 200) },
+                                 { Vec3b(40, 60, 190), Vec3b(170, 200, 60) } };
+    Mat image(240, 320, CV_8UC3);
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+        {
+            const double farther = kind == BOARD_IN_PERSPECTIVE ? 3 - 2. * y / image.rows : 1;
+            const int column = cvFloor((x - 160) * farther / side);
+            const int row = cvFloor((kind == BOARD_IN_PERSPECTIVE ? 400 * farther : y) / side);
+            const int square = kind == UPRIGHT_STRIPES ? column
+                             : kind == LEVEL_STRIPES ? row : kind == SLANTED_STRIPES ? (x + y) / side : column + row;
+            image.at<Vec3b>(y, x) = colors[colored][square & 1];
+        }
+    return image;
+}
+
+//! As it is, with noise, blurred, with noise and then blurred.
+void spoil(Mat& image, int way)
+{
+    if (way & 1)
+        addNoise(image, 8);
+    if (way & 2)
+        GaussianBlur(image, image, Size(), 0.8);
+}
+
+// A superpixel with both colours of a pattern is nearer to all of it than the squares are to each other.
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
+{
+    int number = 0, tried = 0, large[2] = { 0, 0 }; // one in five of the patterns; before and after merging
+    for (int region_size : REGION_SIZES)
+        for (int kind = 0; kind < PATTERN_KINDS; kind++)
+            for (int side = 1; side <= 2 * region_size; side += side < 6 ? 1 : side < 20 ? 3 : 7)
+                for (int way = 0; way < 4; way++)
+                {
+                    if (number++ % 5 != 0)
+                        continue;
+                    Mat image = makePattern(PatternKind(kind), side, number % 2 != 0);
+                    spoil(image, way);
+                    tried++;
+                    for (int merged = 0; merged < 2; merged++)
+                    {
+                        const Mat labels = superpixels(image, region_size, 10, merged ? MERGED : 1);
+                        const double largest = extremeAreas(labels)[1];
+                        large[merged] += largest > 4;
+                        // Not 4: level stripes of 9 pixels without noise give 6.4 at 14 and at 20.
+                        EXPECT_LE(largest, 6.5) << kind << ", side " << side << ", " << region_size << ", " << way;
+                    }
+                }
+    EXPECT_LE(large[0], tried / 20);
+    EXPECT_LE(large[1], tried / 20);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
+{
+    const Size sizes[] = { Size(320, 240), Size(640, 480), Size(481, 321), Size(240, 320) };
+    for (const Size& size : sizes)
+        for (int region_size : REGION_SIZES)
+        {
+            const Mat labels = superpixels(Mat(size, CV_8UC1, Scalar(128)), region_size);
+            const Vec2d areas = extremeAreas(labels);
+            EXPECT_GE(compactness(labels), 0.68) << size << ", " << region_size;
+            // A superpixel has 12 blocks at 14, 18 at 13 and 17. Then a row of blocks is much of a cell, and
+            // the last blocks of an image may hold one pixel only.
+            const double least = region_size == 14 ? 0.32 : region_size == 17 ? 0.45 : region_size == 13 ? 0.55 : 0.6;
+            EXPECT_GE(areas[0], least) << size << ", " << region_size;
+            EXPECT_LE(areas[1], region_size > 17 ? 1.5 : 1.67) << size << ", " << region_size;
+
+            const Mat merged = superpixels(Mat(size, CV_8UC1, Scalar(128)), region_size, 10, MERGED);
+            EXPECT_GE(compactness(merged), 0.54) << size << ", " << region_size;
+            // Merging by pairs doubles areas.
+            EXPECT_GE(extremeAreas(merged)[0], 0.37) << size << ", " << region_size;
+            EXPECT_LE(extremeAreas(merged)[1], 2.7) << size << ", " << region_size;
+        }
+}
+
+Mat makeRamp(Size size, Point direction)
+{
+    Mat image(size, CV_8UC3);
+    const double length = direction.x * (size.width - 1) + direction.y * (size.height - 1);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+            image.at<Vec3b>(y, x) = Vec3b::all(uchar(cvRound(255 * (direction.x * x + direction.y * y) / length)));
+    return image;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
+{
+    const Point directions[] = { Point(1, 0), Point(0, 1), Point(1, 1) };
+    double means[2] = { 0, 0 }; // at the default ruler and at a large one
+    for (int i = 0; i < 6; i++)
+    {
+        Mat image = makeRamp(Size(640, 480), directions[i / 2]);
+        if (i % 2)
+            addNoise(image, 1);
+        for (int region_size : REGION_SIZES)
+        {
+            const double aspect = medianAspect(superpixels(image, region_size));
+            means[0] += aspect;
+            means[1] += medianAspect(superpixels(image, region_size, 40));
+            EXPECT_LE(aspect, 2.0) << i << ", " << region_size;
+        }
+    }
+    EXPECT_LE(means[0] / 36, 1.6);
+    EXPECT_LT(means[1], means[0]);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, compactness_grows_with_the_ruler)
+{
+    const float rulers[] = { 0, 1, 2.5f, 5, 10, 20, 40 };
+    for (int i = 0; i < 9; i++)
+    {
+        const Mat image = i < 3 ? makeRamp(Size(320, 240), Point(i != 1, i != 0)) : makeScene(Size(320, 240), theRNG());
+        double before = 0;
+        for (float ruler : rulers)
+        {
+            const double now = compactness(superpixels(image, 20, ruler));
+            // On a ramp without noise, all that a ruler changes changes all cells at once.
+            EXPECT_GE(now, before - (i < 3 ? 0.04 : 0.004)) << i << ", ruler " << ruler;
+            before = now;
+        }
+    }
+}
+
+//! Share of the pixels of a line that are in superpixels most of whose pixels are of the line.
+double shareInOwnSuperpixels(const Mat& labels, const Rect& line)
+{
+    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
+    double share = 0;
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        const size_t count = std::count_if(pixels[i].begin(), pixels[i].end(),
+                                           [&](const Point& p) { return line.contains(p); });
+        share += 2 * count > pixels[i].size() ? double(count) / line.area() : 0;
+    }
+    return share;
+}
+
+//! The least of these shares for lines at all offsets to the blocks.
+double leastShareOfLines(int width, int region_size, int times)
+{
+    double least = 1;
+    for (int offset = 0; offset < 4; offset++)
+        for (int upright = 0; upright < 2; upright++)
+        {
+            Mat image(240, 320, CV_8UC3, Scalar::all(200));
+            const Rect line = upright ? Rect(140 + offset, 0, width, 240) : Rect(0, 100 + offset, 320, width);
+            image(line).setTo(Scalar(40, 40, 180));
+            least = std::min(least, shareInOwnSuperpixels(superpixels(image, region_size, 10, times), line));
+        }
+    return least;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, thin_lines_have_superpixels_of_their_own)
+{
+    for (int width = 1; width <= 3; width++)
+    {
+        if (width > 1) // one pixel is a third of a block there
+            EXPECT_GE(leastShareOfLines(width, 13, 1), 0.9) << width;
+        EXPECT_GE(leastShareOfLines(width, 20, 1), 0.9) << width;
+        // Larger superpixels may lose them: four times as many, which are merged, do not.
+        EXPECT_GE(leastShareOfLines(width, 30, 4), 0.9) << width;
+        EXPECT_GE(leastShareOfLines(width, 40, 4), 0.9) << width;
+    }
+}
+
+}} // namespace
