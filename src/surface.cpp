@@ -392,6 +392,8 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
             finder.findRow(buffers.inverses.ptr<short>(y + REACH) + REACH, step, y,
                            buffers.raw_normals.ptr<int>(y + 1));
     });
+    if (countNonZero(buffers.raw_normals) == 0) // as where depth is a lattice of single pixels
+        return;
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         std::vector<int> sums;

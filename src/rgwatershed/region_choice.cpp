@@ -35,16 +35,18 @@ void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset
     {
         const Feature* features[4];
         const RegionMean* means[4];
-        const SurfaceMean* surfaces[4];
-        const Normal* normals[4];
+        const SurfaceMean* surfaces[4] = {};
+        const Normal* normals[4] = {};
         for (int k = 0; k < 4; k++)
         {
             const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
             const int region = label & ~(label >> 31);
             features[k] = features_ + pixel;
             means[k] = means_ + region;
-            surfaces[k] = surfaces_ + region;
-            normals[k] = row_normals + ((pixel - first) >> map_.normal_shift);
+            if (CONTENT >= PLANE)
+                surfaces[k] = surfaces_ + region;
+            if (CONTENT == SURFACE)
+                normals[k] = row_normals + ((pixel - first) >> map_.normal_shift);
         }
         const v_int32x4 x = subtract(v_load(pixels + i), v_setall_s32(first));
         v_store(squares + i, CONTENT >= PLANE
