@@ -174,7 +174,7 @@ void scaleRow(const float* depths, int cols, NearnessScale scale, uchar* nearnes
         return;
     uchar last[STRIDE];
     v_store(last, levels());
-    std::copy(last, last + cols - x, nearness + x);
+    std::copy(last, last + (cols - x), nearness + x);
 }
 
 //! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if fewer than two have, as where
