@@ -295,11 +295,13 @@ Mat latticeDepth(const Mat& side, int step, int phase)
     return depth;
 }
 
-//! Labels that have pixels of both depths, without the outlier.
+//! Labels that have pixels of both depths, without the outlier and those beside it: a block of one of each has a depth
+//! in the middle, and may be on either side.
 int labelsOfBothDepths(const Mat& labels, const Mat& depth)
 {
-    Mat measured = labels.clone();
-    measured.setTo(Scalar(-1), (depth != 1500) & (depth != 1600));
+    Mat measured = labels.clone(), ignored;
+    dilate(depth > 1600, ignored, noArray());
+    measured.setTo(Scalar(-1), ((depth != 1500) & (depth != 1600)) | ignored);
     return labelsOnBothSides(measured, depth == 1500);
 }
 
