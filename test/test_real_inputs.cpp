@@ -302,7 +302,7 @@ int labelsOfBothDepths(const Mat& labels, const Mat& depth)
     Mat measured = labels.clone(), ignored;
     dilate(depth > 1600, ignored, noArray());
     measured.setTo(Scalar(-1), ((depth != 1500) & (depth != 1600)) | ignored);
-    return labelsOnBothSides(measured, depth == 1500);
+    return labelsOnBothSides(measured, (depth == 1500) & ~ignored);
 }
 
 // In GWATERSHED depth counts between neighbours that both have it. On a lattice no pixel has such a neighbour, so

@@ -39,7 +39,9 @@ void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset
         const Normal* normals[4] = {};
         for (int k = 0; k < 4; k++)
         {
-            const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
+            // What is behind the last pixel may be of another row, and has no normal in this one.
+            const int pixel = pixels[CONTENT == SURFACE ? std::min(i + k, n - 1) : i + k];
+            const int label = labels_[pixel + offset(masks_[pixel])];
             const int region = label & ~(label >> 31);
             features[k] = features_ + pixel;
             means[k] = means_ + region;
