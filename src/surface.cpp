@@ -288,7 +288,7 @@ private:
     //! One part of vectors, as that of a Normal.
     static v_int32x4 partOf(const v_float32x4& a, const v_float32x4& lengths)
     {
-        return v_trunc(add(v_setall_f32(Normal::ZERO + 0.5f), divide(a, lengths)));
+        return v_trunc(add(v_setall_f32(float(Normal::ZERO) + 0.5f), divide(a, lengths)));
     }
 
     //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
@@ -296,7 +296,7 @@ private:
     v_int32x4 normalsOf(const v_int32x4& w, const v_int32x4& slopes_x, const v_int32x4& slopes_y,
                         const v_float32x4& rays_x, float ray_y) const
     {
-        const float UNIT = 1.f / Normal::ONE;
+        const float UNIT = 1.f / float(Normal::ONE);
         const v_float32x4 x = multiply(v_cvt_f32(slopes_x), v_setall_f32(per_slope_x_));
         const v_float32x4 y = multiply(v_cvt_f32(slopes_y), v_setall_f32(per_slope_y_));
         const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, v_setall_f32(ray_y)));

@@ -38,8 +38,8 @@ public:
     void addSurfaces(float weight, float scale)
     {
         with_surfaces = true;
-        normal_share = cvRound(depth_share * weight * scale);
-        depth_share = cvRound(depth_share * (1 - weight));
+        normal_share = cvRound(float(depth_share) * weight * scale);
+        depth_share = cvRound(float(depth_share) * (1 - weight));
         weights[1][3] = short(depth_share);
     }
 
@@ -57,8 +57,8 @@ public:
     //! region at its place, and its normal against that of the region; nothing of what is not known.
     int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
     {
-        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
-        const int has_normal = -int(n.known() & s.known());
+        const int has_depth = -(int(f.depth != 0) & int(r.depth != RegionMean::NO_DEPTH)); // all bits
+        const int has_normal = -(int(n.known()) & int(s.known()));
         const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
         return ((depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth) +
                ((normal_share * turned) & has_normal);
