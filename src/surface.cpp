@@ -188,7 +188,7 @@ void invertRows(const float* upper, const float* lower, int blocks, float near_d
         v_load_deinterleave(upper + 2 * x, a, b);
         v_load_deinterleave(lower + 2 * x, c, d);
         const v_float32x4 sum = add(add(a, b), add(c, d));
-        const v_int32x4 number = add(add(hasDepth(a), hasDepth(b)), add(hasDepth(c), hasDepth(d))); // minus their number
+        const v_int32x4 number = add(add(hasDepth(a), hasDepth(b)), add(hasDepth(c), hasDepth(d))); // less than 0
         const v_float32x4 count = v_cvt_f32(subtract(v_setzero_s32(), number));
         const v_float32x4 mean = divide(multiply(scale, count), v_max(sum, v_setall_f32(FLT_MIN)));
         const v_float32x4 inverse = multiply(mean, v_min(subtract(count, one), one)); // none for less than two

@@ -174,7 +174,10 @@ private:
         return v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&s)));
     }
 
-    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b) { return v_reinterpret_as_s16(v_absdiff(a, b)); }
+    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
+    {
+        return v_reinterpret_as_s16(v_absdiff(a, b));
+    }
     static v_int32x4 difference(const v_int32x4& a, const v_int32x4& b)
     {
         return v_reinterpret_as_s32(difference(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b)));
@@ -197,8 +200,8 @@ private:
     static v_int32x4 missingDepth(const v_int32x4& features, const v_int32x4& means)
     {
         const short SECOND[2] = { 0, 1 };
-        const v_int32x4 lower = v_reinterpret_as_s32(v_min(v_reinterpret_as_s16(features), v_reinterpret_as_s16(means)));
-        const v_int32x4 depth = dotProduct(lower, v_setall_s32(pairOf(SECOND, 0)), v_setzero_s32());
+        const v_int16x8 lower = v_min(v_reinterpret_as_s16(features), v_reinterpret_as_s16(means));
+        const v_int32x4 depth = dotProduct(v_reinterpret_as_s32(lower), v_setall_s32(pairOf(SECOND, 0)), v_setzero_s32());
         return v_shr<31>(subtract(depth, v_setall_s32(1)));
     }
 
@@ -217,7 +220,8 @@ private:
         v_int16x8 places, rest;
         v_zip(v_pack(x, x), v_setall_s16(short(y)), places, rest);
         const v_int32x4 depths = v_shr<6>(v_dotprod(v_reinterpret_as_s16(slopes), places, bases));
-        return v_min(v_max(v_pack(depths, depths), v_setall_s16(STEPS_PER_LEVEL)), v_setall_s16(255 * STEPS_PER_LEVEL));
+        const v_int16x8 lowest = v_setall_s16(STEPS_PER_LEVEL), highest = v_setall_s16(255 * STEPS_PER_LEVEL);
+        return v_min(v_max(v_pack(depths, depths), lowest), highest);
     }
 
     //! Pairs with other second values.
