@@ -201,7 +201,7 @@ private:
     {
         const short SECOND[2] = { 0, 1 };
         const v_int16x8 lower = v_min(v_reinterpret_as_s16(features), v_reinterpret_as_s16(means));
-        const v_int32x4 depth = dotProduct(v_reinterpret_as_s32(lower), v_setall_s32(pairOf(SECOND, 0)), v_setzero_s32());
+        const v_int32x4 depth = v_dotprod(lower, v_reinterpret_as_s16(v_setall_s32(pairOf(SECOND, 0))));
         return v_shr<31>(subtract(depth, v_setall_s32(1)));
     }
 
