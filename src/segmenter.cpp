@@ -32,12 +32,13 @@ Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters,
     return scaleDepth(keepInside(depth, mask), range, buffer);
 }
 
-//! Whether depth is metric, or shall be taken as such.
+//! Whether depth is metric, or shall be taken as such, and wide enough for normals.
 static bool usesSurfaces(const Mat& depth, const Parameters& parameters)
 {
+    const int NARROWEST = 16;
     const bool is_metric = depth.depth() != CV_8U && depth.depth() != CV_16S;
-    return !depth.empty() && parameters.algorithm == RGWATERSHED && parameters.normal_weight > 0 &&
-           (is_metric || parameters.focal_x > 0);
+    return std::min(depth.rows, depth.cols) >= NARROWEST && parameters.algorithm == RGWATERSHED &&
+           parameters.normal_weight > 0 && (is_metric || parameters.focal_x > 0);
 }
 
 void Segmenter::reserve(int algorithm, Size size)

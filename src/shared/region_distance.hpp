@@ -34,13 +34,15 @@ public:
     }
 
     //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what
-    //! counts beside colour, scale that of one level of a normal against one of depth.
+    //! counts beside colour, scale that of one level of a normal against one of depth. The flood knows no planes, so
+    //! depth counts little there, or planes seen at an angle become strips.
     void addSurfaces(float weight, float scale)
     {
+        const int IN_FLOOD = 16;
         with_surfaces = true;
         normal_share = cvRound(depth_share * weight * scale);
         depth_share = cvRound(depth_share * (1 - weight));
-        weights[1][3] = short(depth_share);
+        weights[1][3] = short(depth_share / IN_FLOOD);
     }
 
     //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface()
