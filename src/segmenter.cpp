@@ -32,13 +32,14 @@ Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters,
     return scaleDepth(keepInside(depth, mask), range, buffer);
 }
 
-//! Whether depth is metric, or shall be taken as such. Planes are measured at places of 16 bits, which are more than
-//! any camera has.
+//! Whether depth is metric, or shall be taken as such, and wide enough for normals. Planes are measured at places of 16
+//! bits, which are more than any camera has.
 static bool usesSurfaces(const Mat& depth, const Parameters& parameters)
 {
+    const int NARROWEST = 16, WIDEST = SHRT_MAX;
     const bool is_metric = depth.depth() != CV_8U && depth.depth() != CV_16S;
-    return !depth.empty() && std::max(depth.cols, depth.rows) <= SHRT_MAX && parameters.algorithm == RGWATERSHED &&
-           parameters.normal_weight > 0 && (is_metric || parameters.focal_x > 0);
+    return std::min(depth.rows, depth.cols) >= NARROWEST && std::max(depth.rows, depth.cols) <= WIDEST &&
+           parameters.algorithm == RGWATERSHED && parameters.normal_weight > 0 && (is_metric || parameters.focal_x > 0);
 }
 
 void Segmenter::reserve(int algorithm, Size size)
