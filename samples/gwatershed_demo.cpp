@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/filesystem.hpp>
 #include <opencv2/highgui.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -19,9 +20,9 @@ using namespace cv::ximgproc;
 static const char* const KEYS =
     "{help h         |     | print this text }"
     "{i image        |     | image to segment; without it, the camera }"
-    "{d depth        |     | depth of the image: 8- or 16-bit, or 32-bit float; 0 is missing }"
+    "{d depth        |     | depth of the image, or of the frames of -c: 8- or 16-bit, or 32-bit float; 0 is missing }"
     "{o output       |     | segment -i without a window and write <o>_contours.png, <o>_mean.png, <o>_labels.png }"
-    "{c camera       | 0   | camera id, or a video file }"
+    "{c camera       | 0   | camera id, video file, or folder of frames; openni2 or realsense: a camera with depth }"
     "{s region_size  | 20  | side of a superpixel in pixels }"
     "{k superpixels  | 0   | number of superpixels, instead of region_size if not 0 }"
     "{r ruler        | 10  | compactness }"
@@ -101,13 +102,78 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
               << "  " << prefix << "_contours.png, " << prefix << "_mean.png, " << labels_name << std::endl;
 }
 
+//! Frames of a camera or a video, or of two folders, or one image again and again.
+class Source
+{
+public:
+    Source(const Mat& image, const Mat& depth) : image_(image), depth_(depth) {}
+
+    //! What is a folder has frames in the order of their names; that of depth may be left out.
+    Source(const String& name, const String& depth_folder)
+    {
+        if (utils::fs::isDirectory(name))
+        {
+            glob(name, colors_);
+            if (!depth_folder.empty())
+                glob(depth_folder, depths_);
+        }
+        else if (name == "openni2" || name == "realsense")
+            openDepthCamera(name == "openni2");
+        else
+            name.size() == 1 ? camera_.open(name[0] - '0') : camera_.open(name);
+    }
+
+    bool isOpened() const { return camera_.isOpened() || !colors_.empty() || !image_.empty(); }
+    bool isVideo() const { return image_.empty(); }
+
+    //! depth stays empty if there is none.
+    bool read(Mat& image, Mat& depth)
+    {
+        if (with_depth_)
+            return camera_.grab() && camera_.retrieve(depth, depth_map_) && camera_.retrieve(image, color_map_);
+        if (camera_.isOpened())
+            return camera_.read(image);
+        if (colors_.empty())
+        {
+            image = image_;
+            depth = depth_;
+            return true;
+        }
+        if (next_ == colors_.size() || (!depths_.empty() && next_ >= depths_.size()))
+            return false;
+        image = imread(colors_[next_], IMREAD_COLOR);
+        if (!depths_.empty())
+            depth = imread(depths_[next_], IMREAD_UNCHANGED);
+        next_++;
+        return !image.empty();
+    }
+
+private:
+    //! Depth is in millimetres, and is brought to the places of colour where the camera can.
+    void openDepthCamera(bool openni)
+    {
+        with_depth_ = camera_.open(openni ? CAP_OPENNI2 : CAP_REALSENSE);
+        if (openni)
+            camera_.set(CAP_PROP_OPENNI_REGISTRATION, 1);
+        depth_map_ = openni ? int(CAP_OPENNI_DEPTH_MAP) : int(CAP_INTELPERC_DEPTH_MAP);
+        color_map_ = openni ? int(CAP_OPENNI_BGR_IMAGE) : int(CAP_INTELPERC_IMAGE);
+    }
+
+    Mat image_, depth_;
+    VideoCapture camera_;
+    bool with_depth_ = false;
+    int depth_map_ = 0, color_map_ = 0;
+    std::vector<String> colors_, depths_;
+    size_t next_ = 0;
+};
+
 //! What the trackbars of the window hold.
 struct Settings
 {
     int region_size, ruler, effort, alpha_percent, iterations, temporal, mode;
 };
 
-static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Settings settings)
+static void showWindow(Source& source, float focal, Settings settings)
 {
     const String window = "gwatershed";
     namedWindow(window, WINDOW_AUTOSIZE);
@@ -119,11 +185,13 @@ static void showWindow(Mat image, const Mat& depth, VideoCapture& capture, Setti
     createTrackbar("Temporal", window, &settings.temporal, 1);
     createTrackbar("Mode", window, &settings.mode, 2); // contours, means, labels
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1, 1, 3, 1);
+    gws->setFocalLength(focal);
+    Mat image, depth;
     std::cout << "Mode 0: contours, 1: mean colours, 2: labels, which flicker less with Temporal 1. [q] or [esc] ends."
               << std::endl;
     for (int key = 0; key != 'q' && key != 27; key = waitKey(10) & 255)
     {
-        if (capture.isOpened() && !capture.read(image))
+        if (!source.read(image, depth))
             break;
         gws->setRegionSize(std::max(1, settings.region_size));
         gws->setRuler(float(settings.ruler));
@@ -170,9 +238,9 @@ int main(int argc, char** argv)
     Mat image, depth;
     if (!image_file.empty())
         image = imread(image_file, IMREAD_COLOR);
-    if (!depth_file.empty())
+    if (!image.empty() && !depth_file.empty())
         depth = imread(depth_file, IMREAD_UNCHANGED);
-    if ((!image_file.empty() && image.empty()) || (!depth_file.empty() && depth.empty()) ||
+    if ((!image_file.empty() && (image.empty() || (!depth_file.empty() && depth.empty()))) ||
         (!output.empty() && image.empty()))
     {
         std::cerr << "Cannot read the image " << image_file << " " << depth_file << std::endl;
@@ -191,15 +259,15 @@ int main(int argc, char** argv)
             segmentFile(image, depth, *gws, iterations, output);
             return 0;
         }
-        VideoCapture capture;
-        if (image.empty() && !(camera.size() == 1 ? capture.open(camera[0] - '0') : capture.open(camera)))
+        Source source = image.empty() ? Source(camera, depth_file) : Source(image, depth);
+        if (!source.isOpened())
         {
-            std::cerr << "Cannot open the camera or video " << camera << std::endl;
+            std::cerr << "Cannot open the camera, the video or the folder " << camera << std::endl;
             return 1;
         }
         const Settings settings = { region_size, cvRound(ruler), effort, cvRound(alpha * 100), iterations,
-                                    image.empty() ? 1 : 0, 0 };
-        showWindow(image, depth, capture, settings);
+                                    source.isVideo() ? 1 : 0, 0 };
+        showWindow(source, focal, settings);
     }
     catch (const cv::Exception& e)
     {

@@ -32,12 +32,12 @@ Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters,
     return scaleDepth(keepInside(depth, mask), range, buffer);
 }
 
-//! Whether depth is metric, or shall be taken as such, and wide enough for normals.
+//! Whether depth is metric, or shall be taken as such. Planes are measured at places of 16 bits, which are more than
+//! any camera has.
 static bool usesSurfaces(const Mat& depth, const Parameters& parameters)
 {
-    const int NARROWEST = 16;
     const bool is_metric = depth.depth() != CV_8U && depth.depth() != CV_16S;
-    return std::min(depth.rows, depth.cols) >= NARROWEST && parameters.algorithm == RGWATERSHED &&
+    return !depth.empty() && std::max(depth.cols, depth.rows) <= SHRT_MAX && parameters.algorithm == RGWATERSHED &&
            parameters.normal_weight > 0 && (is_metric || parameters.focal_x > 0);
 }
 

@@ -5,7 +5,7 @@
 #include "surface.hpp"
 #include "shared/features.hpp"
 #include "shared/valid_depth.hpp"
-#include <opencv2/core/hal/intrin.hpp>
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -116,84 +116,118 @@ DepthSpan findSpan(const Mat& depth)
     }
 }
 
-//! Levels of 16 values, 0 where depth is missing.
-inline v_uint8x16 levelsOf(const float* values, const float* depths)
+//! All bits where there is a depth.
+inline v_int32x4 hasDepth(const v_float32x4& depth)
 {
-    const v_float32x4 farthest = v_setall_f32(FARTHEST), nearest = v_setall_f32(NEAREST);
-    const v_uint32x4 one = v_setall_u32(1);
-    v_int32x4 levels[4];
-    v_uint32x4 has_depth[4];
-    for (int k = 0; k < 4; k++)
-    {
-        levels[k] = v_trunc(v_min(v_max(v_load(values + 4 * k), farthest), nearest));
-        has_depth[k] = v_min(v_reinterpret_as_u32(v_load(depths + 4 * k)), one);
-    }
-    const v_uint8x16 known = v_pack(v_pack(has_depth[0], has_depth[1]), v_pack(has_depth[2], has_depth[3]));
-    return v_min(v_pack_u(v_pack(levels[0], levels[1]), v_pack(levels[2], levels[3])),
-                 v_sub_wrap(v_setzero_u8(), known));
+    return v_shr<31>(subtract(v_setzero_s32(), v_reinterpret_as_s32(depth)));
 }
 
-//! Behind the rows is room for a multiple of 16.
+//! Levels of four depths, 0 where depth is missing.
 //! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
-void scaleRow(const float* depth, int cols, NearnessScale scale, uchar* nearness)
+inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
 {
-    enum { STRIDE = 16 };
-    float values[STRIDE];
-    for (int x = 0; x < cols; x += STRIDE)
-    {
-        for (int i = 0; i < STRIDE; i++)
-            values[i] = scale.offset + scale.slope / depth[x + i];
-        uchar levels[STRIDE];
-        v_store(levels, levelsOf(values, depth + x));
-        std::copy(levels, levels + std::min<int>(cols - x, STRIDE), nearness + x);
-    }
+    const v_float32x4 depth = v_load(depths);
+    const v_float32x4 level = add(v_setall_f32(scale.offset), divide(v_setall_f32(scale.slope), depth));
+    const v_float32x4 within = v_min(v_max(level, v_setall_f32(FARTHEST)), v_setall_f32(NEAREST));
+    return bitAnd(v_trunc(within), hasDepth(depth));
 }
 
-//! 1 for a depth, 0 where it is missing.
-inline float isDepth(float depth)
+//! The lowest and the highest level of some pixels that have depth.
+struct LevelRange
 {
-    return std::min(depth * FLT_MAX, 1.f);
+    int low = NEAREST, high = 0;
+
+    void add(const LevelRange& other)
+    {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+    }
+
+    //! Of a row. No level becomes the highest one if 1 is taken off.
+    void add(const uchar* levels, int cols)
+    {
+        uchar below_low = uchar(low - 1), above = uchar(high);
+        for (int x = 0; x < cols; x++)
+        {
+            below_low = std::min(below_low, uchar(levels[x] - 1));
+            above = std::max(above, levels[x]);
+        }
+        low = below_low + 1;
+        high = above;
+    }
+};
+
+//! Behind the depths is room for a multiple of 16.
+void scaleRow(const float* depths, int cols, NearnessScale scale, uchar* nearness)
+{
+    const int STRIDE = 16;
+    int x = 0;
+    const auto levels = [&]()
+    {
+        const float* from = depths + x;
+        return v_pack_u(v_pack(levelsOf(from, scale), levelsOf(from + 4, scale)),
+                        v_pack(levelsOf(from + 8, scale), levelsOf(from + 12, scale)));
+    };
+    for (; x + STRIDE <= cols; x += STRIDE)
+        v_store(nearness + x, levels());
+    if (x == cols)
+        return;
+    uchar last[STRIDE];
+    v_store(last, levels());
+    std::copy(last, last + (cols - x), nearness + x);
 }
 
 //! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if fewer than two have, as where
-//! depth is a lattice of single pixels.
-void invertRows(const float* upper, const float* lower, int blocks, float near_depth, int* inverses)
+//! depth is a lattice of single pixels. Four blocks are done at once.
+void invertRows(const float* upper, const float* lower, int blocks, float near_depth, short* inverses)
 {
-    const float scale = NEAR_INVERSE * near_depth;
-    for (int x = 0; x < blocks; x++)
+    const v_float32x4 scale = v_setall_f32(NEAR_INVERSE * near_depth), one = v_setall_f32(1);
+    for (int x = 0; x < blocks; x += 4)
     {
-        const float a = upper[2 * x], b = upper[2 * x + 1], c = lower[2 * x], d = lower[2 * x + 1];
-        const float sum = (a + b) + (c + d);
-        const float count = (isDepth(a) + isDepth(b)) + (isDepth(c) + isDepth(d));
-        const float inverse = scale * count / std::max(sum, FLT_MIN) * std::min(count - 1, 1.f); // 0 for less than two
-        inverses[x] = int(std::min(inverse, float(MOST_INVERSE)));
+        v_float32x4 a, b, c, d;
+        v_load_deinterleave(upper + 2 * x, a, b);
+        v_load_deinterleave(lower + 2 * x, c, d);
+        const v_float32x4 sum = add(add(a, b), add(c, d));
+        const v_int32x4 number = add(add(hasDepth(a), hasDepth(b)), add(hasDepth(c), hasDepth(d))); // negative
+        const v_float32x4 count = v_cvt_f32(subtract(v_setzero_s32(), number));
+        const v_float32x4 mean = divide(multiply(scale, count), v_max(sum, v_setall_f32(FLT_MIN)));
+        const v_float32x4 inverse = multiply(mean, v_min(subtract(count, one), one)); // none for less than two
+        v_pack_store(inverses + x, v_trunc(v_min(v_max(inverse, v_setzero_f32()), v_setall_f32(MOST_INVERSE))));
     }
 }
 
-//! Slopes of inverse depth: differences over REACH elements, to the side on which it is nearer to a straight line.
-//! `known` keeps its bits where one side has depth.
-void findSlopes(const int* w, int step, int steepest, int n, int* slopes, int* known)
+//! How far three inverse depths are from a straight line, or more than that can be where one is not known.
+inline v_int16x8 bendOf(const v_int16x8& a, const v_int16x8& b, const v_int16x8& c, const v_int16x8& known)
 {
-    const int NO_LINE = 1 << 20;
-    for (int i = 0; i < n; i++)
-    {
-        const int a = w[i - REACH * step], half_a = w[i - REACH / 2 * step], here = w[i];
-        const int b = w[i + REACH * step], half_b = w[i + REACH / 2 * step];
-        const int bend_a = std::abs(here + a - 2 * half_a) | (-int((a == 0) | (half_a == 0)) & NO_LINE);
-        const int bend_b = std::abs(here + b - 2 * half_b) | (-int((b == 0) | (half_b == 0)) & NO_LINE);
-        const int to_b = -int(bend_b <= bend_a); // all bits
-        const int slope = ((b - here) & to_b) | ((here - a) & ~to_b);
-        slopes[i] = std::min(std::max(slope, -steepest), steepest);
-        known[i] &= -int((bend_a < NO_LINE) | (bend_b < NO_LINE));
-    }
+    const v_int16x8 bend = v_min(v_absdiffs(subtract(a, b), subtract(b, c)), v_setall_s16(SHRT_MAX - 1));
+    return v_max(bend, bitAnd(v_sub_wrap(known, v_setall_s16(1)), v_setall_s16(SHRT_MAX)));
 }
+
+//! Slopes of inverse depth at 8 blocks: differences over REACH elements, to the side on which it is nearer to a
+//! straight line. `known` stays 1 where one side has depth, else it becomes 0.
+inline v_int16x8 slopesOf(const short* w, int step, short steepest, v_int16x8& known)
+{
+    const v_int16x8 one = v_setall_s16(1), here = v_load(w);
+    const v_int16x8 a = v_load(w - REACH * step), half_a = v_load(w - REACH / 2 * step);
+    const v_int16x8 b = v_load(w + REACH * step), half_b = v_load(w + REACH / 2 * step);
+    const v_int16x8 known_a = v_min(v_min(a, half_a), one), known_b = v_min(v_min(b, half_b), one);
+    const v_int16x8 bend_a = bendOf(here, half_a, a, known_a), bend_b = bendOf(here, half_b, b, known_b);
+    const v_int16x8 to_b = v_shr<15>(subtract(subtract(bend_b, bend_a), one)); // all bits
+    const v_int16x8 slope_a = subtract(here, a), slope_b = subtract(b, here);
+    const v_int16x8 slope = v_add_wrap(slope_a, bitAnd(v_sub_wrap(slope_b, slope_a), to_b));
+    known = v_min(known, v_max(known_a, known_b));
+    return v_max(v_min(slope, v_setall_s16(steepest)), v_setall_s16(short(-steepest)));
+}
+
+enum { STRIDE = 8 }; // blocks that become normals at once
 
 //! Directions of the rays of blocks along one axis, for a step forward of 1. Rays farther out are as those at WIDEST.
+//! There are some more, so that the last stride is a whole one.
 std::vector<float> raysOf(int blocks, float focal, float center)
 {
     const float WIDEST = 2;
-    std::vector<float> rays(blocks);
-    for (int i = 0; i < blocks; i++)
+    std::vector<float> rays(alignSize(blocks, STRIDE));
+    for (size_t i = 0; i < rays.size(); i++)
         rays[i] = std::min(std::max((2 * float(i) + 0.5f - center) / focal, -WIDEST), WIDEST);
     return rays;
 }
@@ -209,64 +243,71 @@ class NormalFinder
 public:
     NormalFinder(const Camera& camera, Size blocks)
         : per_slope_x_(camera.focal.x / (2 * REACH)), per_slope_y_(camera.focal.y / (2 * REACH)),
+          steepest_x_(steepestOf(per_slope_x_)), steepest_y_(steepestOf(per_slope_y_)),
           rays_x_(raysOf(blocks.width, camera.focal.x, camera.center.x)),
           rays_y_(raysOf(blocks.height, camera.focal.y, camera.center.y))
     {
     }
 
-    //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
-    //! (focal u, focal v, w - x focal u - y focal v).
-    void findRow(const int* w, int step, int y, int* normals) const
+    //! Around the inverse depths w of the row are REACH more, and behind it a whole stride.
+    void findRow(const short* w, int step, int y, int* normals) const
     {
-        const int cols = int(rays_x_.size());
-        for (int first = 0; first < cols; first += STRIDE)
+        for (size_t x = 0; x < rays_x_.size(); x += STRIDE)
         {
-            Stride stride;
-            const int n = std::min<int>(cols - first, STRIDE);
-            for (int i = 0; i < n; i++)
-                stride.known[i] = -int(w[first + i] != 0);
-            findSlopes(w + first, 1, int(float(MOST) / per_slope_x_), n, stride.slopes_x, stride.known);
-            findSlopes(w + first, step, int(float(MOST) / per_slope_y_), n, stride.slopes_y, stride.known);
-            findLengths(w + first, &rays_x_[first], rays_y_[y], n, stride);
-            for (int i = 0; i < n; i++)
+            const v_int16x8 here = v_load(w + x);
+            v_int16x8 known = v_min(here, v_setall_s16(1));
+            const v_int16x8 slopes_x = slopesOf(w + x, 1, steepest_x_, known);
+            const v_int16x8 slopes_y = slopesOf(w + x, step, steepest_y_, known);
+            v_int32x4 inverses[2], x_parts[2], y_parts[2], known_parts[2];
+            v_expand(here, inverses[0], inverses[1]);
+            v_expand(slopes_x, x_parts[0], x_parts[1]);
+            v_expand(slopes_y, y_parts[0], y_parts[1]);
+            v_expand(v_sub_wrap(v_setzero_s16(), known), known_parts[0], known_parts[1]);
+            for (int k = 0; k < 2; k++)
             {
-                const int nx = int(Normal::ZERO + 0.5f + stride.x[i] / stride.lengths[i]);
-                const int ny = int(Normal::ZERO + 0.5f + stride.y[i] / stride.lengths[i]);
-                normals[first + i] = (nx | ny << Y_SHIFT | 1 << COUNT_SHIFT) & stride.known[i];
+                const v_float32x4 rays_x = v_load(&rays_x_[x + 4 * k]);
+                const v_int32x4 found = normalsOf(inverses[k], x_parts[k], y_parts[k], rays_x, rays_y_[y]);
+                v_store(normals + x + 4 * k, bitAnd(found, known_parts[k]));
             }
         }
     }
 
 private:
-    enum { STRIDE = 64, MOST = 2 * MOST_INVERSE }; // of what normals are made of, so that squares fit
-
-    //! Some blocks of a row. All bits of `known` are set where there is a normal, none elsewhere.
-    struct Stride
+    //! So that squares of what normals are made of fit.
+    static short steepestOf(float per_slope)
     {
-        int known[STRIDE], slopes_x[STRIDE], slopes_y[STRIDE];
-        float x[STRIDE], y[STRIDE], lengths[STRIDE];
-    };
+        return short(std::min(2 * MOST_INVERSE / per_slope, float(SHRT_MAX)));
+    }
 
-    //! Two components of a vector, and its length divided by Normal::ONE.
-    void findLengths(const int* w, const float* rays_x, float ray_y, int n, Stride& to) const
+    //! In 1/256.
+    static v_int32x4 squareOf(const v_float32x4& a)
     {
-        const float SHARE = 1 / 256.f, UNIT = 1.f / Normal::ONE;
-        const float per_slope_x = per_slope_x_, per_slope_y = per_slope_y_;
-        std::fill_n(to.lengths, int(STRIDE), 1.f);
-        for (int i = 0; i < n; i++)
-        {
-            const float x = float(to.slopes_x[i]) * per_slope_x, y = float(to.slopes_y[i]) * per_slope_y;
-            const float z = float(w[i] - int(x * rays_x[i]) - int(y * ray_y));
-            const int square = int(x * x * SHARE) + int(y * y * SHARE) + int(z * z * SHARE);
-            to.x[i] = x;
-            to.y[i] = y;
-            to.lengths[i] = float(square + 2) * (UNIT * UNIT / SHARE);
-        }
-        for (int i = 0; i < STRIDE; i += 4)
-            v_store(to.lengths + i, v_sqrt(v_load(to.lengths + i)));
+        return v_trunc(multiply(multiply(a, a), v_setall_f32(1 / 256.f)));
+    }
+
+    //! One part of vectors, as that of a Normal.
+    static v_int32x4 partOf(const v_float32x4& a, const v_float32x4& lengths)
+    {
+        return v_trunc(add(v_setall_f32(float(Normal::ZERO) + 0.5f), divide(a, lengths)));
+    }
+
+    //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
+    //! (focal u, focal v, w - x focal u - y focal v).
+    v_int32x4 normalsOf(const v_int32x4& w, const v_int32x4& slopes_x, const v_int32x4& slopes_y,
+                        const v_float32x4& rays_x, float ray_y) const
+    {
+        const float UNIT = 1.f / float(Normal::ONE);
+        const v_float32x4 x = multiply(v_cvt_f32(slopes_x), v_setall_f32(per_slope_x_));
+        const v_float32x4 y = multiply(v_cvt_f32(slopes_y), v_setall_f32(per_slope_y_));
+        const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, v_setall_f32(ray_y)));
+        const v_float32x4 z = v_cvt_f32(subtract(subtract(w, away_x), away_y));
+        const v_int32x4 squares = add(add(squareOf(x), squareOf(y)), add(squareOf(z), v_setall_s32(2)));
+        const v_float32x4 lengths = v_sqrt(multiply(v_cvt_f32(squares), v_setall_f32(UNIT * UNIT * 256)));
+        return add(add(partOf(x, lengths), v_shl<Y_SHIFT>(partOf(y, lengths))), v_setall_s32(1 << COUNT_SHIFT));
     }
 
     const float per_slope_x_, per_slope_y_;
+    const short steepest_x_, steepest_y_;
     const std::vector<float> rays_x_, rays_y_;
 };
 
@@ -309,8 +350,10 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     camera.horizon = float(near_level - slope * inverse_near);
 
     buffers.nearness.create(depth.size(), CV_8UC1);
-    buffers.inverses.create(blocks.height + 2 * REACH, blocks.width + 2 * REACH, CV_32SC1);
+    const int stride_cols = int(alignSize(blocks.width, STRIDE));
+    buffers.inverses.create(blocks.height + 2 * REACH, stride_cols + 2 * REACH, CV_16SC1);
     buffers.inverses.setTo(Scalar(0));
+    std::vector<LevelRange> ranges(blocks.height);
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         std::vector<float> upper(alignSize(2 * blocks.width, 16)), lower(upper.size());
@@ -325,16 +368,19 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
                 scaleRow(lower.data(), depth.cols, scale, buffers.nearness.ptr(2 * y + 1));
             }
             invertRows(upper.data(), lower.data(), blocks.width, first,
-                       buffers.inverses.ptr<int>(y + REACH) + REACH);
+                       buffers.inverses.ptr<short>(y + REACH) + REACH);
+            for (int row = 2 * y; row < std::min(2 * y + 2, depth.rows); row++)
+                ranges[y].add(buffers.nearness.ptr(row), depth.cols);
         }
     });
-    double low = 0, high = 0;
-    minMaxLoc(buffers.nearness, &low, &high, 0, 0, buffers.nearness);
-    if (low >= high)
+    LevelRange all;
+    for (const LevelRange& levels : ranges)
+        all.add(levels);
+    if (all.low >= all.high)
         return;
     nearness = buffers.nearness;
 
-    buffers.raw_normals.create(blocks.height + 2, blocks.width, CV_32SC1);
+    buffers.raw_normals.create(blocks.height + 2, stride_cols, CV_32SC1);
     buffers.raw_normals.row(0).setTo(Scalar(0));
     buffers.raw_normals.row(blocks.height + 1).setTo(Scalar(0));
     buffers.normals.create(blocks, CV_8UC2);
@@ -343,8 +389,11 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         for (int y = rows.start; y < rows.end; y++)
-            finder.findRow(buffers.inverses.ptr<int>(y + REACH) + REACH, step, y, buffers.raw_normals.ptr<int>(y + 1));
+            finder.findRow(buffers.inverses.ptr<short>(y + REACH) + REACH, step, y,
+                           buffers.raw_normals.ptr<int>(y + 1));
     });
+    if (countNonZero(buffers.raw_normals) == 0) // as where depth is a lattice of single pixels
+        return;
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         std::vector<int> sums;

@@ -31,14 +31,16 @@ public:
         const bool upright = part.height > part.width;
         const int length = upright ? part.height : part.width, breadth = upright ? part.width : part.height;
         const int half = n / 2, least = (half + breadth - 1) / breadth, rest = (n - half + breadth - 1) / breadth;
-        int cut = least;
+        int cut = std::min(least, length - 1);
         const double wanted = sum(part) * half / n;
         while (cut < length - rest && sum(firstPart(part, upright, cut)) < wanted)
             cut++;
         const Rect first = firstPart(part, upright, cut);
-        divide(first, half);
-        divide(upright ? Rect(part.x, first.br().y, part.width, part.height - cut)
-                       : Rect(first.br().x, part.y, part.width - cut, part.height), n - half);
+        const Rect second = upright ? Rect(part.x, first.br().y, part.width, part.height - cut)
+                                    : Rect(first.br().x, part.y, part.width - cut, part.height);
+        const int in_first = std::min(std::max(half, n - second.area()), first.area()); // there may be no room for half
+        divide(first, in_first);
+        divide(second, n - in_first);
     }
 
 private:

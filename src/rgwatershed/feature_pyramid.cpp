@@ -4,6 +4,7 @@
 
 #include "rgwatershed/feature_pyramid.hpp"
 #include <opencv2/core/hal/intrin.hpp>
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -139,29 +140,44 @@ static void thirdFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
+// Normals with their number, in parts of a word that 16 of them can be added up in.
+enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
+
+//! Adds up the normals of each column.
+static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& words)
+{
+    words.assign(normals.cols, 0);
+    int* sums = words.data();
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const Normal* row = normals.ptr<Normal>(y);
+        for (int x = 0; x < normals.cols; x++)
+            sums[x] += row[x].x + (row[x].y << Y_SHIFT) + (row[x].known() << COUNT_SHIFT);
+    }
+}
+
 //! Normals of blocks of some side, from those of blocks of 2x2 pixels: means of what is known of those they touch.
+//! @note Halves of a level are exact in the quotients, so they are rounded as they are in integers.
 static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
 {
     united.create(size, CV_8UC2);
     parallel_for_(Range(0, size.height), [&](const Range& rows)
     {
+        std::vector<int> words, sums(size.width);
         for (int y = rows.start; y < rows.end; y++)
         {
-            Normal* to = united.ptr<Normal>(y);
-            const int top = y * side / 2, bottom = std::min(((y + 1) * side + 1) / 2, normals.rows);
+            addColumns(normals, Range(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows)), words);
             for (int x = 0; x < size.width; x++)
             {
                 const int left = x * side / 2, right = std::min(((x + 1) * side + 1) / 2, normals.cols);
-                int sum_x = 0, sum_y = 0, known = 0;
-                for (int i = top; i < bottom; i++)
-                    for (const Normal *n = normals.ptr<Normal>(i) + left, *end = n + right - left; n < end; n++)
-                    {
-                        sum_x += n->x;
-                        sum_y += n->y;
-                        known += n->known();
-                    }
-                to[x].x = uchar(known ? (sum_x + known / 2) / known : 0);
-                to[x].y = uchar(known ? (sum_y + known / 2) / known : 0);
+                sums[x] = std::accumulate(words.begin() + left, words.begin() + right, 0);
+            }
+            Normal* to = united.ptr<Normal>(y);
+            for (int x = 0; x < size.width; x++)
+            {
+                const float count = float(std::max(sums[x] >> COUNT_SHIFT, 1));
+                to[x].x = uchar(int(0.5f + float(sums[x] & PART) / count));
+                to[x].y = uchar(int(0.5f + float(sums[x] >> Y_SHIFT & PART) / count));
             }
         }
     });

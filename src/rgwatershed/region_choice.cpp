@@ -10,7 +10,7 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
                            const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
       means_(regions.means.data()), surfaces_(regions.surfaces.means.data()), map_(features),
-      distance_(distance.withoutSurface()), step_(labels.step())
+      distance_(distance), step_(labels.step())
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -29,31 +29,43 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
 template <RegionChoice::Content CONTENT, typename Offset>
 void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const
 {
-    const Normal* normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
+    const Normal* row_normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
+    const int first = map_.index(Point(0, y));
     for (int i = 0; i < n; i += 4)
     {
         const Feature* features[4];
         const RegionMean* means[4];
-        int of_surfaces[4] = {};
+        const SurfaceMean* surfaces[4] = {};
+        const Normal* normals[4] = {};
         for (int k = 0; k < 4; k++)
         {
-            const int pixel = pixels[i + k], label = labels_[pixel + offset(masks_[pixel])];
-            features[k] = features_ + pixel;
+            // What is behind the last pixel may be of another row, and has no normal in this one.
+            const int pixel = pixels[CONTENT == SURFACE ? std::min(i + k, n - 1) : i + k];
+            const int label = labels_[pixel + offset(masks_[pixel])];
             const int region = label & ~(label >> 31);
+            features[k] = features_ + pixel;
             means[k] = means_ + region;
             if (CONTENT >= PLANE)
-                of_surfaces[k] = ofSurface<CONTENT>(pixel, y, normals, region);
+                surfaces[k] = surfaces_ + region;
+            if (CONTENT == SURFACE)
+                normals[k] = row_normals + ((pixel - first) >> map_.normal_shift);
         }
-        // Not loaded as a whole: that would wait for the four to be stored.
-        const v_int32x4 rest(of_surfaces[0], of_surfaces[1], of_surfaces[2], of_surfaces[3]);
-        v_store(squares + i, distance_.squared<CONTENT != COLOR>(features, means, rest));
+        const v_int32x4 x = subtract(v_load(pixels + i), v_setall_s32(first));
+        v_store(squares + i, CONTENT >= PLANE
+            ? distance_.squared<CONTENT == SURFACE>(features, normals, means, surfaces, x, y)
+            : distance_.squared<CONTENT == DEPTH>(features, means));
     }
 }
 
 int RegionChoice::squaredDistance(int pixel, int y, int region) const
 {
-    const int of_surface = distance_.with_surfaces ? ofSurface<SURFACE>(pixel, y, map_.normalsOfRow(y), region) : 0;
-    return distance_.squared(features_[pixel], means_[region], of_surface);
+    const Feature& feature = features_[pixel];
+    const RegionMean& mean = means_[region];
+    if (!distance_.with_surfaces)
+        return distance_.squared(feature, mean);
+    const Point p(pixel - map_.index(Point(0, y)), y);
+    return distance_.withoutSurface().squared(
+        feature, mean, distance_.ofSurface(feature, map_.normalAt(p), mean, surfaces_[region], p.x, p.y));
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are

@@ -57,15 +57,6 @@ private:
     template <Content CONTENT, typename Offset>
     void measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const;
 
-    //! What the surfaces of a pixel in row y, which has some normals, and of a region add to their distance.
-    template <Content CONTENT> int ofSurface(int pixel, int y, const Normal* normals, int region) const
-    {
-        const int x = pixel - (y + 1) * step_ - 1;
-        const Feature& feature = features_[pixel];
-        if (CONTENT == PLANE)
-            return distance_.ofPlane(feature, means_[region], surfaces_[region], x, y);
-        return distance_.ofSurface(feature, normals[x >> map_.normal_shift], means_[region], surfaces_[region], x, y);
-    }
     int squaredDistance(int pixel, int y, int region) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.

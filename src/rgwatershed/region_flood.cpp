@@ -12,6 +12,8 @@ void FloodRegion::update()
     const RegionMean mean = sum.mean();
     const short values[4] = { mean.color[0], mean.color[2], mean.color[1], mean.depth };
     std::copy(values, values + 4, means);
+    if (rise != 0 && sum.depth_area > 0)
+        means[3] = short(mean.depth - rise / (int64(SurfaceMean::PLANE_UNIT) * sum.depth_area));
     next_update = sum.area + sum.area / MEAN_GROWTH + 1;
 }
 
@@ -31,10 +33,10 @@ public:
         }
     }
 
-    //! features: of left, top, right and bottom; offset: from the block to the marker of the region; excess: levels
-    //! that are added.
-    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point offset, int excess) const
+    //! features: of left, top, right and bottom; at: the place of the block; excess: levels that are added.
+    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point at, int excess) const
     {
+        const Point offset = region.center - at;
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
         const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
         const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
@@ -45,7 +47,8 @@ public:
         if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
         {
             const v_int32x4 has_depth = v_reinterpret_as_s32(v_min(v_shr<24>(features), v_setall_u32(1)));
-            const v_int32x4 with_depth = v_dotprod(odd_away, odd_[1], v_dotprod(even_away, even_[1], least));
+            const v_int16x8 odd_away_too = difference(odd, pairsWithDepth(region, at));
+            const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
             away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
         }
         const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
@@ -65,6 +68,16 @@ private:
     static v_int16x8 setPair(short a, short b)
     {
         return v_reinterpret_as_s16(v_setall_u32(ushort(a) | unsigned(ushort(b)) << 16));
+    }
+
+    //! The means of the odd channels for the four neighbours, whose depths lie on the plane of the region.
+    static v_int16x8 pairsWithDepth(const FloodRegion& region, Point at)
+    {
+        const int UNIT = SurfaceMean::PLANE_UNIT, depth = region.depthAt(at);
+        const int dx = region.slope.x / UNIT, dy = region.slope.y / UNIT;
+        const short color = region.means[2];
+        return v_int16x8(color, short(depth - dx), color, short(depth - dy), color, short(depth + dx), color,
+                         short(depth + dy));
     }
 
     static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
@@ -114,7 +127,10 @@ public:
                 if (waiting == CLOSED)
                     continue; // it was taken out at a lower priority before
                 waiting = CLOSED;
-                regions_[labels_.data()[block]].add(features_[block]);
+                if (WITH_DEPTH)
+                    regions_[labels_.data()[block]].add(features_[block], labels_.point(block));
+                else
+                    regions_[labels_.data()[block]].add(features_[block]);
                 spread(block);
             }
     }
@@ -146,7 +162,7 @@ private:
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
         const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
                                                                   bitsOf(block + 1), bitsOf(block + step_)), region,
-                                                       region.center - labels_.point(block),
+                                                       labels_.point(block),
                                                        excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
@@ -187,9 +203,21 @@ static void floodRows(const Padded<Feature>& features, const RegionDistance& dis
             .run(first_seed, end_seed);
 }
 
+//! Of depth, by the normal at a place.
+static Point slopeAt(const FeatureMap& features, Point p)
+{
+    const Feature& feature = features.row(p.y)[p.x];
+    if (feature.depth == 0)
+        return Point();
+    SurfaceSum sum = SurfaceSum();
+    sum.add(feature, features.normalAt(p), p);
+    const SurfaceMean mean = sum.mean(STEPS_PER_LEVEL * feature.depth, 1, features.camera);
+    return Point(mean.slope_x, mean.slope_y);
+}
+
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
-void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
@@ -209,6 +237,8 @@ void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& 
                 const int seed = labels.index(markers[m]);
                 labels.data()[seed] = first + m;
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
+                if (features.withNormals())
+                    buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
             }
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,

@@ -15,10 +15,24 @@ namespace cv { namespace ximgproc { namespace gws {
 struct FloodRegion
 {
     FloodRegion() {}
-    FloodRegion(const RegionSum& sum_, Point center_) : sum(sum_), center(center_), next_update(0)
+    FloodRegion(const RegionSum& sum_, Point center_) : sum(sum_), center(center_), slope(), rise(0), next_update(0)
     {
         if (sum.area > 0)
             update();
+    }
+
+    //! The same where there is depth. p is the place.
+    void add(const Feature& f, Point p)
+    {
+        rise += f.depth ? slope.dot(p - center) : 0;
+        add(f);
+    }
+
+    //! Depth of its plane at a place, in steps.
+    int depthAt(Point p) const
+    {
+        const int depth = means[3] + slope.dot(p - center) / SurfaceMean::PLANE_UNIT;
+        return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
     }
 
     void add(const Feature& f)
@@ -33,7 +47,9 @@ struct FloodRegion
 
     RegionSum sum;
     Point center;    //!< that the ruler counts from
-    short means[4];  //!< of the channels 0, 2, 1 and of depth
+    Point slope;     //!< of depth, in 1/PLANE_UNIT of a step for an element
+    int64 rise;      //!< sum of how much higher the plane is at its pixels with depth than at the centre
+    short means[4];  //!< of the channels 0, 2, 1, and the depth of the plane at the centre
     int next_update; //!< area at which the means are taken anew
 };
 
@@ -57,7 +73,7 @@ struct FloodBuffers
 //! are there.
 //! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256. Regions of more
 //! pixels than usual_area come last.
-void floodFromPoints(const Padded<Feature>& features, const std::vector<Point>& markers,
+void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 

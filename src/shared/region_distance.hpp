@@ -6,7 +6,7 @@
 #define OPENCV_GWATERSHED_REGION_DISTANCE_HPP
 
 #include "shared/regions.hpp"
-#include <opencv2/core/hal/intrin.hpp>
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -34,15 +34,13 @@ public:
     }
 
     //! Regions have surfaces: depth is measured against planes, and normals count, too. weight is their share in what
-    //! counts beside colour, scale that of one level of a normal against one of depth. The flood knows no planes, so
-    //! depth counts little there, or planes seen at an angle become strips.
+    //! counts beside colour, scale that of one level of a normal against one of depth.
     void addSurfaces(float weight, float scale)
     {
-        const int IN_FLOOD = 16;
         with_surfaces = true;
-        normal_share = cvRound(depth_share * weight * scale);
-        depth_share = cvRound(depth_share * (1 - weight));
-        weights[1][3] = short(depth_share / IN_FLOOD);
+        normal_share = cvRound(float(depth_share) * weight * scale);
+        depth_share = cvRound(float(depth_share) * (1 - weight));
+        weights[1][3] = short(depth_share);
     }
 
     //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface()
@@ -59,16 +57,11 @@ public:
     //! region at its place, and its normal against that of the region; nothing of what is not known.
     int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
     {
-        const int has_normal = -int(n.known() & s.known());
+        const int has_depth = -(int(f.depth != 0) & int(r.depth != RegionMean::NO_DEPTH)); // all bits
+        const int has_normal = -(int(n.known()) & int(s.known()));
         const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
-        return ofPlane(f, r, s, x, y) + ((normal_share * turned) & has_normal);
-    }
-
-    //! The same without normals.
-    int ofPlane(const Feature& f, const RegionMean& r, const SurfaceMean& s, int x, int y) const
-    {
-        const int has_depth = -int((f.depth != 0) & (r.depth != RegionMean::NO_DEPTH)); // all bits
-        return (depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth;
+        return ((depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth) +
+               ((normal_share * turned) & has_normal);
     }
 
     int operator()(const Feature& f, const RegionMean& r, int of_surface = 0) const
@@ -98,23 +91,42 @@ public:
     }
 
     //! The squares of four pairs at once.
-    template <bool WITH_DEPTH>
-    v_int32x4 squared(const Feature* const* f, const RegionMean* const* r, const v_int32x4& of_surfaces) const
+    template <bool WITH_DEPTH> v_int32x4 squared(const Feature* const* f, const RegionMean* const* r) const
     {
         v_int32x4 first = v_setall_s32(pairOf(weights[0], 0)), second = v_setall_s32(pairOf(weights[0], 2));
         if (WITH_DEPTH)
             splitPairs(v_load_halves(weightsOf(*f[0], *r[0]), weightsOf(*f[1], *r[1])),
                        v_load_halves(weightsOf(*f[2], *r[2]), weightsOf(*f[3], *r[3])), first, second);
-        const v_uint32x4 features(bitsOf(*f[0]), bitsOf(*f[1]), bitsOf(*f[2]), bitsOf(*f[3]));
-        v_uint16x8 low, high;
-        v_expand(v_reinterpret_as_u8(features), low, high);
+        v_int16x8 low, high;
+        loadFeatures(f, low, high);
         v_int32x4 color_differences, depth_differences;
         splitPairs(difference(low, v_load_halves(r[0]->color, r[1]->color)),
                    difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences, depth_differences);
-        const v_int32x4 sum = v_dotprod(v_reinterpret_as_s16(color_differences), v_reinterpret_as_s16(first),
-            v_dotprod(v_reinterpret_as_s16(depth_differences), v_reinterpret_as_s16(second), of_surfaces));
-        const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum)); // it fits into the lower half
-        return v_shr<8>(v_dotprod(d, d));
+        return squareOf(dotProduct(color_differences, first, dotProduct(depth_differences, second, v_setzero_s32())));
+    }
+
+    //! The same for regions with surfaces. x are the places of the pixels in row y. Depth is measured against planes,
+    //! as by ofSurface(); normals n count if WITH_NORMALS.
+    template <bool WITH_NORMALS>
+    v_int32x4 squared(const Feature* const* f, const Normal* const* n, const RegionMean* const* r,
+                      const SurfaceMean* const* s, const v_int32x4& x, int y) const
+    {
+        v_int16x8 low, high;
+        loadFeatures(f, low, high);
+        v_int32x4 colors, depths, mean_colors, mean_depths; // pairs of 16 bits; depth is the second after a colour
+        splitPairs(low, high, colors, depths);
+        splitPairs(v_load_halves(r[0]->color, r[1]->color), v_load_halves(r[2]->color, r[3]->color), mean_colors,
+                   mean_depths);
+        v_int32x4 normals, slopes, bases, rest;
+        v_transpose4x4(loadWords(*s[0]), loadWords(*s[1]), loadWords(*s[2]), loadWords(*s[3]), normals, slopes, bases,
+                       rest);
+
+        const v_int32x4 no_depth = missingDepth(depths, mean_depths);
+        const v_int32x4 first = choose(no_depth, 0), second = choose(no_depth, 2);
+        mean_depths = putSecond(mean_depths, planeDepths(slopes, bases, x, y));
+        v_int32x4 sum = WITH_NORMALS ? ofNormals(n, normals) : v_setzero_s32();
+        sum = dotProduct(difference(colors, mean_colors), first, sum);
+        return squareOf(dotProduct(difference(depths, mean_depths), second, sum));
     }
 
     bool with_depth, with_surfaces = false;
@@ -139,16 +151,101 @@ private:
         v_zip(even, odd, first, second);
     }
 
-    static unsigned bitsOf(const Feature& f)
+    template <typename T> static unsigned bitsOf(const T& value)
     {
-        unsigned bits;
-        memcpy(&bits, &f, sizeof(bits));
+        unsigned bits = 0;
+        memcpy(&bits, &value, sizeof(value));
         return bits;
     }
 
-    static v_int16x8 difference(const v_uint16x8& features, const v_int16x8& means)
+    //! Four features, in steps.
+    static void loadFeatures(const Feature* const* f, v_int16x8& low, v_int16x8& high)
     {
-        return v_reinterpret_as_s16(v_absdiff(v_reinterpret_as_s16(v_shl<4>(features)), means));
+        const v_uint32x4 features(bitsOf(*f[0]), bitsOf(*f[1]), bitsOf(*f[2]), bitsOf(*f[3]));
+        v_uint16x8 low_levels, high_levels;
+        v_expand(v_reinterpret_as_u8(features), low_levels, high_levels);
+        low = v_reinterpret_as_s16(v_shl<4>(low_levels));
+        high = v_reinterpret_as_s16(v_shl<4>(high_levels));
+    }
+
+    //! Normal, slopes and base are the first three words.
+    static v_int32x4 loadWords(const SurfaceMean& s)
+    {
+        return v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&s)));
+    }
+
+    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
+    {
+        return v_reinterpret_as_s16(v_absdiff(a, b));
+    }
+    static v_int32x4 difference(const v_int32x4& a, const v_int32x4& b)
+    {
+        return v_reinterpret_as_s32(difference(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b)));
+    }
+
+    //! Of pairs of 16 bits.
+    static v_int32x4 dotProduct(const v_int32x4& a, const v_int32x4& b, const v_int32x4& sum)
+    {
+        return v_dotprod(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b), sum);
+    }
+
+    //! @note Distances fit into the lower half.
+    static v_int32x4 squareOf(const v_int32x4& sum)
+    {
+        const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum));
+        return v_shr<8>(v_dotprod(d, d));
+    }
+
+    //! All bits where the second of a pair of values is missing: 0 in a feature, less in a mean.
+    static v_int32x4 missingDepth(const v_int32x4& features, const v_int32x4& means)
+    {
+        const short SECOND[2] = { 0, 1 };
+        const v_int16x8 smaller = v_min(v_reinterpret_as_s16(features), v_reinterpret_as_s16(means));
+        const v_int32x4 lower = v_reinterpret_as_s32(smaller);
+        const v_int32x4 depth = dotProduct(lower, v_setall_s32(pairOf(SECOND, 0)), v_setzero_s32());
+        return v_shr<31>(subtract(depth, v_setall_s32(1)));
+    }
+
+    //! A pair of weights: those without depth where it is missing.
+    v_int32x4 choose(const v_int32x4& no_depth, int pair) const
+    {
+        const v_int16x8 with = v_reinterpret_as_s16(v_setall_s32(pairOf(weights[1], pair)));
+        const v_int16x8 without = v_reinterpret_as_s16(v_setall_s32(pairOf(weights[0], pair)));
+        const v_int16x8 change = v_sub_wrap(without, with);
+        return v_reinterpret_as_s32(v_add_wrap(with, bitAnd(change, v_reinterpret_as_s16(no_depth))));
+    }
+
+    //! As SurfaceMean::depthAt(), of the lower four.
+    static v_int16x8 planeDepths(const v_int32x4& slopes, const v_int32x4& bases, const v_int32x4& x, int y)
+    {
+        v_int16x8 places, rest;
+        v_zip(v_pack(x, x), v_setall_s16(short(y)), places, rest);
+        const v_int32x4 depths = v_shr<6>(v_dotprod(v_reinterpret_as_s16(slopes), places, bases));
+        return v_min(v_max(v_pack(depths, depths), v_setall_s16(STEPS_PER_LEVEL)), v_setall_s16(255 * STEPS_PER_LEVEL));
+    }
+
+    //! Pairs with other second values.
+    static v_int32x4 putSecond(const v_int32x4& pairs, const v_int16x8& values)
+    {
+        const short FIRST[2] = { -1, 0 };
+        v_int16x8 second, rest;
+        v_zip(v_setzero_s16(), values, second, rest);
+        const v_int32x4 first = bitAnd(pairs, v_setall_s32(pairOf(FIRST, 0)));
+        return v_reinterpret_as_s32(v_add_wrap(v_reinterpret_as_s16(first), second));
+    }
+
+    //! What normals add. Both values of one that is not known are 0.
+    v_int32x4 ofNormals(const Normal* const* n, const v_int32x4& means) const
+    {
+        const v_uint32x4 words(bitsOf(*n[0]), bitsOf(*n[1]), bitsOf(*n[2]), bitsOf(*n[3]));
+        v_uint16x8 low, high;
+        v_expand(v_reinterpret_as_u8(words), low, high);
+        v_int32x4 normals, rest;
+        splitPairs(v_reinterpret_as_s16(v_shl<4>(low)), v_reinterpret_as_s16(v_shl<4>(high)), normals, rest);
+        const v_int16x8 lower = v_min(v_reinterpret_as_s16(normals), v_reinterpret_as_s16(means));
+        const v_int16x8 known = v_sub_wrap(v_setzero_s16(), v_min(lower, v_setall_s16(1)));
+        const v_int16x8 shares = bitAnd(v_setall_s16(short(normal_share)), known);
+        return v_dotprod(v_reinterpret_as_s16(difference(normals, means)), shares);
     }
 
     const short* weightsOf(const Feature& f, const RegionMean& r) const

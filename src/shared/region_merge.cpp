@@ -60,8 +60,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! How far the centre of a region is from the plane of another one, in depth.
 static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
 {
-    const int UNIT = SurfaceMean::CENTER_UNIT;
-    return std::abs(plane.depthAt(other.center.x / UNIT, other.center.y / UNIT) - other_depth);
+    return std::abs(plane.depthAtCenter(other.center) - other_depth);
 }
 
 //! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region

@@ -33,11 +33,17 @@ struct SurfaceMean
     void divideBlocks(int side, int depth);
 
     //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
-    int depthAt(int at_x, int at_y) const
+    int depthAt(int at_x, int at_y) const { return limit((base + slope_x * at_x + slope_y * at_y) >> 6); }
+
+    //! The same at the centre of another region.
+    int depthAtCenter(Point other) const
     {
-        const int depth = (base + slope_x * at_x + slope_y * at_y) >> 6;
-        return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
+        const int64 rise = int64(slope_x) * other.x + int64(slope_y) * other.y;
+        return limit((base + int(rise / CENTER_UNIT)) >> 6);
     }
+
+private:
+    static int limit(int depth) { return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL); }
 };
 
 //! How much larger the surface is that an element at some depth, in steps, stands for than one at the near end.

@@ -25,11 +25,35 @@ template <typename V> inline auto chooseSub(const V& a, const V& b, int) -> decl
 }
 template <typename V> inline V chooseSub(const V& a, const V& b, long) { return a - b; }
 
+template <typename V> inline auto chooseAdd(const V& a, const V& b, int) -> decltype(v_add(a, b))
+{
+    return v_add(a, b);
+}
+template <typename V> inline V chooseAdd(const V& a, const V& b, long) { return a + b; }
+
+template <typename V> inline auto chooseMul(const V& a, const V& b, int) -> decltype(v_mul(a, b))
+{
+    return v_mul(a, b);
+}
+template <typename V> inline V chooseMul(const V& a, const V& b, long) { return a * b; }
+
+template <typename V> inline auto chooseDiv(const V& a, const V& b, int) -> decltype(v_div(a, b))
+{
+    return v_div(a, b);
+}
+template <typename V> inline V chooseDiv(const V& a, const V& b, long) { return a / b; }
+
 //! The bits of both.
 template <typename V> inline V bitAnd(const V& a, const V& b) { return chooseAnd(a, b, 0); }
 
 //! a - b; saturated for elements of 8 and 16 bits.
 template <typename V> inline V subtract(const V& a, const V& b) { return chooseSub(a, b, 0); }
+
+//! a + b; saturated for elements of 8 and 16 bits.
+template <typename V> inline V add(const V& a, const V& b) { return chooseAdd(a, b, 0); }
+
+inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
+inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }
 
 }}} // namespace
 

@@ -49,8 +49,10 @@ bool same(const Mat& a, const Mat& b)
 Settings settingsOf(const SuperpixelGWatershed& gws)
 {
     const Settings settings = { gws.getAlgorithm(), gws.getRegionSize(), gws.getDesiredSuperpixels(), gws.getEffort(),
-                                gws.getRuler(), gws.getAlpha(), gws.getLabInput(), gws.getTemporal(), gws.getLowValue(),
-                                gws.getHighValue(), gws.getNearDepth(), gws.getFarDepth(), gws.getBorderThreshold() };
+                                gws.getRuler(), gws.getAlpha(), gws.getLabInput(), gws.getTemporal(),
+                                gws.getDepthAdaptive(), gws.getLowValue(), gws.getHighValue(), gws.getNearDepth(),
+                                gws.getFarDepth(), gws.getFocalLengthX(), gws.getFocalLengthY(), gws.getNormalWeight(),
+                                gws.getBorderThreshold() };
     return settings;
 }
 
@@ -59,7 +61,8 @@ bool operator==(const Settings& a, const Settings& b)
     return a.algorithm == b.algorithm && a.region_size == b.region_size && a.num_superpixels == b.num_superpixels &&
            a.effort == b.effort && a.ruler == b.ruler && a.alpha == b.alpha && a.lab_input == b.lab_input &&
            a.temporal == b.temporal && a.low_value == b.low_value && a.high_value == b.high_value &&
-           a.near_depth == b.near_depth && a.far_depth == b.far_depth &&
+           a.near_depth == b.near_depth && a.far_depth == b.far_depth && a.focal_x == b.focal_x &&
+           a.focal_y == b.focal_y && a.normal_weight == b.normal_weight && a.depth_adaptive == b.depth_adaptive &&
            a.border_threshold == b.border_threshold;
 }
 
@@ -71,7 +74,9 @@ bool inRange(const Settings& s)
            ((s.low_value == 0 && s.high_value == 0) || s.low_value < s.high_value) && s.low_value >= -FLT_MAX &&
            s.high_value <= FLT_MAX &&
            ((s.near_depth == 0 && s.far_depth == 0) || (s.near_depth >= 0 && s.near_depth < s.far_depth)) &&
-           s.far_depth <= FLT_MAX && s.border_threshold >= 0 && s.border_threshold <= FLT_MAX;
+           s.far_depth <= FLT_MAX && s.focal_x >= 0 && s.focal_x <= FLT_MAX && s.focal_y >= 0 &&
+           s.focal_y <= FLT_MAX && (s.focal_x > 0 || s.focal_y == 0) && s.normal_weight >= 0 && s.normal_weight <= 1 &&
+           s.border_threshold >= 0 && s.border_threshold <= FLT_MAX;
 }
 
 Partition partitionOf(const SuperpixelGWatershed& gws)

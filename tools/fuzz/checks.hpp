@@ -38,8 +38,8 @@ struct Settings
 {
     int algorithm, region_size, num_superpixels, effort;
     float ruler, alpha;
-    bool lab_input, temporal;
-    float low_value, high_value, near_depth, far_depth, border_threshold;
+    bool lab_input, temporal, depth_adaptive;
+    float low_value, high_value, near_depth, far_depth, focal_x, focal_y, normal_weight, border_threshold;
 };
 
 Settings settingsOf(const SuperpixelGWatershed& gws);

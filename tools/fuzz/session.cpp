@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "session.hpp"
+#include "attempts.hpp"
 
 #include <cfloat>
 #include <cmath>
@@ -16,20 +16,6 @@ using cv::ximgproc::createSuperpixelGWatershed;
 using cv::ximgproc::GWATERSHED;
 using cv::ximgproc::RGWATERSHED;
 
-//! What can be seen of an object.
-struct Session::State
-{
-    Settings settings;
-    bool is_segmented;
-    Partition partition;
-
-    bool operator==(const State& s) const
-    {
-        return settings == s.settings && is_segmented == s.is_segmented &&
-               partition.num_labels == s.partition.num_labels && same(partition.labels, s.partition.labels);
-    }
-};
-
 Session::State Session::state() const
 {
     State s;
@@ -40,29 +26,6 @@ Session::State Session::state() const
         s.partition = partitionOf(*gws_);
     require(s.partition.num_labels == gws_->getNumberOfSuperpixels(), "N is 0 before the first iterate()");
     return s;
-}
-
-//! Whether a call throws nothing. No other exception than that of OpenCV gets through.
-template <typename Call> static bool succeeds(Call call)
-{
-    try
-    {
-        call();
-        return true;
-    }
-    catch (const cv::Exception&)
-    {
-        return false;
-    }
-}
-
-//! Returns whether the call was accepted.
-template <typename Call> bool Session::attempt(bool is_valid, const char* name, Call call)
-{
-    const State before = state();
-    require(succeeds(call) == is_valid, name);
-    require(is_valid || state() == before, "a wrong call changes nothing");
-    return is_valid;
 }
 
 Session::Session(const std::vector<uint8_t>& bytes, int max_pixels, Threads* threads)
@@ -293,191 +256,6 @@ void Session::setMarkers()
         markers_ = given;
     require(markers.untouched(), "setMarkers() does not write to the markers");
     markers.overwrite(77);
-}
-
-void Session::setParameter()
-{
-    Settings s = settingsOf(*gws_);
-    const char* const name = "setters take what is in range";
-    switch (bytes_.ConsumeIntegralInRange(0, 10))
-    {
-    case 0:
-        s.algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), 199, 202, 0, INT_MIN });
-        attempt(inRange(s), name, [&]() { gws_->setAlgorithm(s.algorithm); });
-        break;
-    case 1:
-        s.region_size = takeInt(30, bytes_);
-        s.num_superpixels = 0;
-        attempt(inRange(s), name, [&]() { gws_->setRegionSize(s.region_size); });
-        break;
-    case 2:
-        s.region_size = 0;
-        s.num_superpixels = takeInt(max_pixels_ / 8, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setDesiredSuperpixels(s.num_superpixels); });
-        break;
-    case 3:
-        s.ruler = takeFloat(60, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setRuler(s.ruler); });
-        break;
-    case 4:
-        s.alpha = takeFloat(1, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setAlpha(s.alpha); });
-        break;
-    case 5:
-        s.lab_input = !s.lab_input;
-        gws_->setLabInput(s.lab_input);
-        break;
-    case 6:
-        s.temporal = !s.temporal;
-        gws_->setTemporal(s.temporal);
-        break;
-    case 7:
-        s.low_value = takeFloat(300, bytes_);
-        s.high_value = takeFloat(4000, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setValueRange(s.low_value, s.high_value); });
-        break;
-    case 8:
-        s.near_depth = takeFloat(3000, bytes_);
-        s.far_depth = oneIn(2, bytes_) ? s.near_depth + takeFloat(4000, bytes_) : takeFloat(7000, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); });
-        break;
-    case 9:
-        s.effort = takeInt(4, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setEffort(s.effort); });
-        break;
-    default:
-        s.border_threshold = takeFloat(1500, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setBorderThreshold(s.border_threshold); });
-    }
-    require(settingsOf(*gws_) == s || !inRange(s), "getters return what was set");
-}
-
-void Session::mergeSimilar()
-{
-    const int number = takeInt(isSegmented() ? unmerged_.num_labels + 2 : 3, bytes_);
-    if (!attempt(isSegmented() && number >= 1, "mergeSimilar()", [&]() { gws_->mergeSimilar(number); }))
-        return;
-    const Partition now = partitionOf(*gws_);
-    digest(now.labels);
-    checkMerged(unmerged_, now);
-    checkMergedNumber(unmerged_, number, now);
-    if (!merged_.labels.empty() && merged_.num_labels >= now.num_labels)
-        checkMerged(merged_, now);
-    else if (!merged_.labels.empty())
-        checkMerged(now, merged_);
-    merged_ = now;
-}
-
-void Session::mergeSmall()
-{
-    if (!isSegmented())
-        return queryUnsegmented();
-    const Partition before = partitionOf(*gws_);
-    const int percent = oneIn(4, bytes_) ? takeInt(100, bytes_) : 25, in_pixels = oneIn(3, bytes_);
-    if (!attempt(percent >= 0 && (in_pixels || percent <= 100), "merging of small superpixels",
-                 [&]() { in_pixels ? gws_->mergeSmall(percent) : gws_->enforceLabelConnectivity(percent); }))
-        return;
-    const Partition now = partitionOf(*gws_);
-    digest(now.labels);
-    checkMerged(before, now);
-    (in_pixels ? checkAreaMerged : checkSmallMerged)(before, percent, now);
-    if (now.num_labels == before.num_labels)
-        return;
-    unmerged_ = now;
-    merged_ = Partition();
-}
-
-//! Const methods with arguments that they take.
-void Session::query()
-{
-    if (!isSegmented())
-        return queryUnsegmented();
-    const State before = state();
-    useThreads();
-    const Mat values = oneIn(2, bytes_) ? makeValues(image_.size(), bytes_) : image_;
-    const Mat nothing;
-    const Mat& image = oneIn(4, bytes_) ? nothing : image_;
-    const Mat& depth = oneIn(4, bytes_) ? nothing : depth_;
-    checkStatistics(*gws_, oneIn(4, bytes_) ? nothing : values, depth);
-    checkAdjacency(*gws_, image, image.empty() ? nothing : depth);
-    checkMasks(*gws_, used_.algorithm);
-    require(state() == before, "const methods change nothing");
-
-    Mat stats, centroids, colors, depths, pairs, lengths, contrasts;
-    gws_->getStatistics(values, depth_, stats, centroids, colors, depths);
-    gws_->getAdjacency(image_, depth_, pairs, lengths, contrasts);
-    for (const Mat& table : { colors, depths, contrasts })
-        digest(table);
-}
-
-//! Const methods with arguments of a wrong size or type.
-void Session::queryWrong()
-{
-    if (!isSegmented())
-        return queryUnsegmented();
-    const Size size = image_.size(), other = size + Size(0, 1);
-    const Mat wrong = makeImage(Mat(oneIn(2, bytes_) ? size : other, CV_32FC3, Scalar::all(0.5)), bytes_);
-    const bool is_measured = wrong.empty() || (wrong.dims == 2 && wrong.size() == size);
-    Mat a, b, c, d;
-    attempt(is_measured, "getStatistics() of an image", [&]() { gws_->getStatistics(wrong, noArray(), a, b, c, d); });
-    attempt(isDepth(wrong, size), "getStatistics() of depth",
-            [&]() { gws_->getStatistics(noArray(), wrong, a, b, noArray(), d); });
-    attempt(wrong.empty() || (is_measured && isImage(wrong)), "getAdjacency() of an image",
-            [&]() { gws_->getAdjacency(wrong, noArray(), a, b, c); });
-    attempt(isDepth(wrong, size), "getAdjacency() of depth",
-            [&]() { gws_->getAdjacency(image_, wrong, a, b, noArray()); });
-    attempt(wrong.empty(), "getAdjacency() of depth alone", [&]() { gws_->getAdjacency(noArray(), wrong, a, b, c); });
-    attempt(false, "getLabels() to nowhere", [&]() { gws_->getLabels(noArray()); });
-}
-
-//! What needs a segmentation throws where there is none.
-void Session::queryUnsegmented()
-{
-    Mat a, b, c, d;
-    attempt(false, "getLabels()", [&]() { gws_->getLabels(a); });
-    attempt(false, "getLabelContourMask()", [&]() { gws_->getLabelContourMask(a); });
-    attempt(false, "getWatershedLineMask()", [&]() { gws_->getWatershedLineMask(a); });
-    attempt(false, "enforceLabelConnectivity()", [&]() { gws_->enforceLabelConnectivity(); });
-    attempt(false, "getStatistics()", [&]() { gws_->getStatistics(noArray(), noArray(), a, b, c, d); });
-    attempt(false, "getAdjacency()", [&]() { gws_->getAdjacency(noArray(), noArray(), a, b, c); });
-}
-
-void Session::writeAndRead()
-{
-    const State before = state();
-    FileStorage written(".json", FileStorage::WRITE | FileStorage::MEMORY);
-    gws_->write(written);
-    FileStorage kept(written.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    gws_->read(kept.root());
-    require(state() == before, "write() and read() keep all");
-}
-
-//! Parameters from a file that somebody else has written.
-void Session::readNumbers()
-{
-    const char* const names[] = { "algorithm", "region_size", "num_superpixels", "ruler", "effort", "alpha",
-                                  "lab_input", "temporal", "low_value", "high_value", "near_depth", "far_depth",
-                                  "border_threshold" };
-    FileStorage written(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    FileStorage own(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    gws_->write(own);
-    FileStorage kept(own.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    bool is_complete = true;
-    for (const char* name : names)
-        switch (bytes_.ConsumeIntegralInRange(0, 15))
-        {
-        case 0: is_complete = false; break;
-        case 1: written << name << takeInt(200, bytes_); break;
-        case 2: written << name << takeFloat(200, bytes_); break;
-        case 3: written << name << "word"; is_complete = false; break;
-        default: written << name << double(kept[name]);
-        }
-    FileStorage changed(written.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
-    const State before = state();
-    const bool accepted = succeeds([&]() { gws_->read(changed.root()); });
-    require(!accepted || is_complete, "read() misses no parameter");
-    require(accepted || state() == before, "read() changes nothing if it throws");
-    require(inRange(settingsOf(*gws_)), "read() takes what is in range");
 }
 
 void Session::clear()
