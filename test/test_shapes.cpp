@@ -232,7 +232,9 @@ TEST(ximgproc_SuperpixelGWatershed, thin_lines_have_superpixels_of_their_own)
     for (int width = 1; width <= 3; width++)
     {
         if (width > 1) // one pixel is a third of a block there
+        {
             EXPECT_GE(leastShareOfLines(width, 13, 1), 0.9) << width;
+        }
         EXPECT_GE(leastShareOfLines(width, 20, 1), 0.9) << width;
         // Larger superpixels may lose them: four times as many, which are merged, do not.
         EXPECT_GE(leastShareOfLines(width, 30, 4), 0.9) << width;

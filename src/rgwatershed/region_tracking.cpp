@@ -117,7 +117,9 @@ void RegionTracker::mergeAll(const Plan& plan, const FeatureMap& features, int n
         areas[i] = regions.sums[i].area;
     MergeBuffers buffers;
     buffers.graph.build(map, regions.size(), features, plan.flood_distance);
-    SimilarMerger merger(plan.flood_distance, plan.merge_rules, buffers, regions);
+    MergeRules rules = plan.merge_rules;
+    rules.usual = USUAL_IN_VIDEO;
+    SimilarMerger merger(plan.flood_distance, rules, buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();
     nameGroups(parents, areas, names_, num_kept, numbers);

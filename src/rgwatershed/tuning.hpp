@@ -32,6 +32,7 @@ static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pix
 // For video: sweeps of blocks that move the regions along, and the squared error of a region,
 // for what it was when it was made and for each of its blocks, from which on it has changed.
 static const int SWEEPS_TO_TRACK = 3;
+static const float USUAL_IN_VIDEO = 1.5f; // area of unions, in mean areas: what did not change rather stays two
 static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
