@@ -118,7 +118,7 @@ void RegionTracker::mergeAll(const Plan& plan, const FeatureMap& features, int n
     MergeBuffers buffers;
     buffers.graph.build(map, regions.size(), features, plan.flood_distance);
     MergeRules rules = plan.merge_rules;
-    rules.usual = USUAL_IN_VIDEO;
+    rules.num_kept = num_kept;
     SimilarMerger merger(plan.flood_distance, rules, buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();

@@ -32,7 +32,6 @@ static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pix
 // For video: sweeps of blocks that move the regions along, and the squared error of a region,
 // for what it was when it was made and for each of its blocks, from which on it has changed.
 static const int SWEEPS_TO_TRACK = 3;
-static const float USUAL_IN_VIDEO = 1.5f; // area of unions, in mean areas: what did not change rather stays two
 static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
@@ -83,7 +82,7 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false, 0 };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
     rules.noise = 205 + cvRound(8 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;

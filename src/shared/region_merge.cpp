@@ -19,6 +19,9 @@ static const uint64 NO_PRICE = ~uint64(0);
 // first where colours are even, and superpixels are the cells of the grid there.
 enum { NOISE_IN_CELL = 48 };
 
+// The same between regions that should stay apart.
+enum { NOISE_OF_KEPT = 256 * 4, KEPT = -1 };
+
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
@@ -92,7 +95,7 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
                             const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
 {
-    const int noise = a.cell == b.cell ? int(NOISE_IN_CELL) : rules.noise;
+    const int noise = a.cell != b.cell ? rules.noise : a.cell == KEPT ? int(NOISE_OF_KEPT) : int(NOISE_IN_CELL);
     const int variance = a.variance + b.variance + 16 * 256;
     const int64 noisy_distance = 64 * int64(squared_distance) + ((noise * int64(variance)) >> 8);
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
@@ -242,7 +245,8 @@ MergeRegion SimilarMerger::describe(int region) const
     const float area = float(sum.area) * scale;
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
                            b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
-                           float(sum.color[0] + 16 * int64(sum.area)) * scale, region / rules_.in_cell };
+                           float(sum.color[0] + 16 * int64(sum.area)) * scale,
+                           region < rules_.num_kept ? int(KEPT) : region / rules_.in_cell };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;

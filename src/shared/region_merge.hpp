@@ -23,10 +23,11 @@ struct MergeRules
     int noise;      //!< a squared distance that means little, in 1/256 of the variance
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface; //!< areas are those on the surface, not in the image
+    int num_kept;    //!< so many regions, the first ones, stay apart rather than any others
 };
 
 //! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1, false };
+static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1, false, 0 };
 
 //! What the cost of a union reads of a region.
 struct MergeRegion
@@ -36,7 +37,7 @@ struct MergeRegion
     int log_area;  //!< in 1/256 of a doubling
     int variance;  //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
-    int cell;      //!< of the grid of markers, in which the region began
+    int cell;      //!< of the grid of markers, in which the region began, or that it is one to be kept
 };
 
 //! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
