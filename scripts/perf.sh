@@ -17,7 +17,7 @@ if [ $# -eq 0 ]; then
     for threads in 1 2; do
         say "timing with $threads thread(s)"
         report=$place/results/perf$threads
-        taskset -c $((last - threads + 1))-$last "$program" "--perf_threads=$threads" --perf_max_deviation=10 \
+        taskset -c $((last - threads + 1))-$last "$program" "--perf_threads=$threads" --perf_max_deviation=0.1 \
             '--gtest_filter=Perf_Superpixels*' "--gtest_output=xml:$report.xml" >"$report.log" 2>&1 ||
             fail "$program ended with an error; see $report.log"
         set -- "$@" "$report.xml"

@@ -21,6 +21,6 @@ mkdir -p "$traces"
 export OPENCV_TRACE=1 OPENCV_TRACE_LOCATION="$traces/trace" OPENCV_TRACE_DEPTH_OPENCV=6
 export OPENCV_TRACE_MAX_CHILDREN=0 OPENCV_TRACE_MAX_CHILDREN_OPENCV=0
 taskset -c $(($(nproc) - threads))-$(($(nproc) - 1)) "$program" "--perf_threads=$threads" --perf_min_samples=30 \
-    --perf_force_samples=30 --perf_max_outliers=0 --perf_max_deviation=10 "--gtest_filter=*iterate/$number" \
+    --perf_force_samples=30 --perf_max_outliers=0 --perf_max_deviation=0.1 "--gtest_filter=*iterate/$number" \
     "--gtest_output=xml:$traces/report.xml" >"$traces/log" 2>&1 || fail "$program ended with an error; see $traces/log"
 python3 "$root/scripts/profile_tree.py" "$traces"/{trace.txt,trace-000.txt,report.xml}
