@@ -64,11 +64,11 @@ FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
     nearer = false;
     if (depths.empty())
         return range;
-    const size_t half = depths.size() / 2, hundredth = depths.size() / 100;
+    const ptrdiff_t half = ptrdiff_t(depths.size() / 2), hundredth = ptrdiff_t(depths.size() / 100);
     std::nth_element(depths.begin(), depths.begin() + half, depths.end());
-    const float nearest = depths[half] / MUCH;
+    const float nearest = depths[size_t(half)] / MUCH;
     const auto kept = std::partition(depths.begin(), depths.end(), [&](float depth) { return depth < nearest; });
-    nearer = size_t(kept - depths.begin()) > hundredth;
+    nearer = kept - depths.begin() > hundredth;
     if (nearer)
         depths.erase(depths.begin(), kept);
     range = rangeWithout(depths.size() / 100, depths);

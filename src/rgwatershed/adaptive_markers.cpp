@@ -20,14 +20,33 @@ public:
         integral(weights, sums_, CV_64F); // of integers, so sums are exact
     }
 
-    //! Places n markers in a part that has as many elements.
-    void divide(const Rect& part, int n) const
+    //! Places n markers in the image, which has as many elements.
+    void divide(int n)
     {
-        if (n == 1)
+        const Part all = { Rect(Point(), gradient_.size()), n };
+        parts_.assign(1, all);
+        while (!parts_.empty())
         {
-            markers_.push_back(findMarker(gradient_, part));
-            return;
+            const Part part = parts_.back();
+            parts_.pop_back();
+            if (part.num_markers > 1)
+                halve(part.rect, part.num_markers);
+            else
+                markers_.push_back(findMarker(gradient_, part.rect));
         }
+    }
+
+private:
+    //! A part of the image, and the number of markers in it.
+    struct Part
+    {
+        Rect rect;
+        int num_markers;
+    };
+
+    //! Half of the markers go to each half of the weight, as far as there is room.
+    void halve(const Rect& part, int n)
+    {
         const bool upright = part.height > part.width;
         const int length = upright ? part.height : part.width, breadth = upright ? part.width : part.height;
         const int half = n / 2, least = (half + breadth - 1) / breadth, rest = (n - half + breadth - 1) / breadth;
@@ -39,11 +58,10 @@ public:
         const Rect second = upright ? Rect(part.x, first.br().y, part.width, part.height - cut)
                                     : Rect(first.br().x, part.y, part.width - cut, part.height);
         const int in_first = std::min(std::max(half, n - second.area()), first.area()); // there may be no room for half
-        divide(first, in_first);
-        divide(second, n - in_first);
+        const Part parts[2] = { { second, n - in_first }, { first, in_first } }; // the last one comes next
+        parts_.insert(parts_.end(), parts, parts + 2);
     }
 
-private:
     static Rect firstPart(const Rect& part, bool upright, int cut)
     {
         return upright ? Rect(part.x, part.y, part.width, cut) : Rect(part.x, part.y, cut, part.height);
@@ -58,6 +76,7 @@ private:
     const Mat& gradient_;
     std::vector<Point>& markers_;
     Mat sums_;
+    std::vector<Part> parts_; // that are still to be divided
 };
 
 } // namespace
@@ -76,7 +95,7 @@ void placeAdaptiveMarkers(const Mat& gradient, const FeatureMap& features, int n
             weights.at<ushort>(y, x) = saturate_cast<ushort>(UNIT * scale);
         }
     markers.clear();
-    CellDivider(weights, gradient, markers).divide(Rect(Point(), features.size()), num_markers);
+    CellDivider(weights, gradient, markers).divide(num_markers);
 }
 
 }}} // namespace

@@ -16,7 +16,7 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
     Point best;
     int smallest = INT_MAX;
-    int64 nearest = 0;
+    int64 nearest = 0, most_central = 0;
     for (int y = window.y; y < window.br().y; y++)
     {
         const ushort* row = gradient.ptr<ushort>(y);
@@ -26,12 +26,13 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
                 continue;
             const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y;
             const int64 from_middle = std::abs(2 * x + 1 - gradient.cols) + std::abs(2 * y + 1 - gradient.rows);
-            const int64 away = ((dx * dx + dy * dy) << 32) + (symmetric ? from_middle : 0);
-            if (row[x] < smallest || away < nearest)
+            const int64 away = dx * dx + dy * dy;
+            if (row[x] < smallest || away < nearest || (away == nearest && symmetric && from_middle < most_central))
             {
                 best = Point(x, y);
                 smallest = row[x];
                 nearest = away;
+                most_central = from_middle;
             }
         }
     }
