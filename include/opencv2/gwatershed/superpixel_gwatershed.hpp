@@ -90,9 +90,8 @@ the same time. One object can not, except for its const methods: the second call
 of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
 markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds some microseconds, which is
-most of the time where superpixels are smaller than about 10x10 pixels. Buffers are kept from one image to
-the next.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, more where
+they are smaller than 5x5 pixels, which is most of the time then. Buffers are kept from one image to the next.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -350,7 +349,7 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers | 0.85 | 0.068 |
+    | 0 | fewer markers | 0.86 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
