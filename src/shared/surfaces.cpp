@@ -46,7 +46,7 @@ static int rayOf(int center, float axis, float focal)
 {
     const float WIDEST = 2 * RAY;
     const float away = float(center - cvRound(float(SurfaceMean::CENTER_UNIT) * axis)) / focal;
-    return int(std::min(std::max(away * float(RAY) / SurfaceMean::CENTER_UNIT, -WIDEST), WIDEST));
+    return int(std::min(std::max(away * float(RAY) / float(SurfaceMean::CENTER_UNIT), -WIDEST), WIDEST));
 }
 
 static short slopeOf(int normal, float scale, float focal)
