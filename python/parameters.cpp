@@ -65,8 +65,9 @@ void bindDefaulted(SessionClass& to, const char* keyword, const std::string& nam
 }
 
 //! A parameter of two values: setName(near, far), and the keyword of the constructor, which takes a pair.
+template <typename Second>
 void bindRange(SessionClass& to, const char* keyword, const std::string& name,
-               void (SuperpixelGWatershed::*set)(float, float), const char* near, const char* far,
+               void (SuperpixelGWatershed::*set)(float, float), const char* first_name, const Second& second_argument,
                const char* description)
 {
     using End = std::optional<float>;
@@ -75,7 +76,7 @@ void bindRange(SessionClass& to, const char* keyword, const std::string& name,
             (superpixels.*set)(first.value_or(0), last.value_or(0));
         });
     };
-    to.def(("set" + name).c_str(), setter, py::arg(near), py::arg(far), description);
+    to.def(("set" + name).c_str(), setter, py::arg(first_name), second_argument, description);
     setters()[keyword] = [setter](Session& session, const py::handle& value) {
         const auto range = value.cast<std::pair<float, float> >();
         setter(session, range.first, range.second);
@@ -116,17 +117,17 @@ void bindParameters(SessionClass& to)
                   "Weight of normals against depth, in [0, 1]; 0: depth as it is.");
     bindValue(to, "depth_adaptive", "DepthAdaptive", &S::setDepthAdaptive, &S::getDepthAdaptive,
               "Whether superpixels have about the same area on the surface.");
-    bindRange(to, "focal_length", "FocalLength", &S::setFocalLength, "fx", "fy",
+    bindRange(to, "focal_length", "FocalLength", &S::setFocalLength, "fx", py::arg("fy") = 0.f,
               "The focal length in pixels; both 0: a usual one.");
     bindEnd(to, "getFocalLengthX", &S::getFocalLengthX, "The focal length along x.");
     bindEnd(to, "getFocalLengthY", &S::getFocalLengthY, "The focal length along y; 0: as along x.");
     bindDefaulted(to, "border_threshold", "BorderThreshold", &S::setBorderThreshold, &S::getBorderThreshold, 150.f,
                   "Gradient from which a pixel is a border; for GWATERSHED.");
-    bindRange(to, "depth_range", "DepthRange", &S::setDepthRange, "near_depth", "far_depth",
+    bindRange(to, "depth_range", "DepthRange", &S::setDepthRange, "near_depth", py::arg("far_depth"),
               "The depths that become 1 and 255; both 0: the range of the frame.");
     bindEnd(to, "getNearDepth", &S::getNearDepth, "The depth that becomes 1.");
     bindEnd(to, "getFarDepth", &S::getFarDepth, "The depth that becomes 255.");
-    bindRange(to, "value_range", "ValueRange", &S::setValueRange, "low_value", "high_value",
+    bindRange(to, "value_range", "ValueRange", &S::setValueRange, "low_value", py::arg("high_value"),
               "The values that become 0 and 255; both 0: by the type of the image.");
     bindEnd(to, "getLowValue", &S::getLowValue, "The value that becomes 0.");
     bindEnd(to, "getHighValue", &S::getHighValue, "The value that becomes 255.");
