@@ -117,9 +117,8 @@ public:
         splitPairs(low, high, colors, depths);
         splitPairs(v_load_halves(r[0]->color, r[1]->color), v_load_halves(r[2]->color, r[3]->color), mean_colors,
                    mean_depths);
-        v_int32x4 normals, slopes, bases, rest;
-        v_transpose4x4(loadWords(*s[0]), loadWords(*s[1]), loadWords(*s[2]), loadWords(*s[3]), normals, slopes, bases,
-                       rest);
+        v_int32x4 surface = loadWords(*s[0]), normals, slopes, bases, rest;
+        v_transpose4x4(surface, loadWords(*s[1]), loadWords(*s[2]), loadWords(*s[3]), normals, slopes, bases, rest);
 
         const v_int32x4 no_depth = missingDepth(depths, mean_depths);
         const v_int32x4 first = choose(no_depth, 0), second = choose(no_depth, 2);
