@@ -44,26 +44,6 @@ static Ptr<SuperpixelGWatershed> segment(const Mat& image, const Mat& depth, int
 
 static Mat gray() { return Mat(SIZE, CV_8UC3, Scalar::all(120)); }
 
-//! Mean of 4 pi area / perimeter^2.
-static double compactness(const Mat& labels, int number)
-{
-    std::vector<double> area(number, 0), perimeter(number, 0);
-    for (int y = 0; y < labels.rows; y++)
-        for (int x = 0; x < labels.cols; x++)
-        {
-            const int label = labels.at<int>(y, x);
-            area[label]++;
-            perimeter[label] += (x == 0 || labels.at<int>(y, x - 1) != label) +
-                                (x + 1 == labels.cols || labels.at<int>(y, x + 1) != label) +
-                                (y == 0 || labels.at<int>(y - 1, x) != label) +
-                                (y + 1 == labels.rows || labels.at<int>(y + 1, x) != label);
-        }
-    double sum = 0;
-    for (int i = 0; i < number; i++)
-        sum += area[i] * 4 * CV_PI * area[i] / (perimeter[i] * perimeter[i]);
-    return sum / double(labels.total());
-}
-
 //! Share of the pixels that are in a superpixel whose most pixels are on their side of a mask.
 static double purity(const Mat& labels, int number, const Mat& mask)
 {
@@ -80,11 +60,11 @@ static double purity(const Mat& labels, int number, const Mat& mask)
 TEST(ximgproc_GWatershed_surfaces, planes_seen_at_an_angle_are_as_compact_as_frontal_ones)
 {
     const double slopes[][2] = { { 0, 0.6 }, { 0.6, 0 }, { 0.4, 0.4 }, { 0, 1.2 }, { 1, 0 } };
-    const double frontal = compactness(labelsOf(segment(gray(), makePlane(1500, 0, 0), 100)), 100);
+    const double frontal = compactness(labelsOf(segment(gray(), makePlane(1500, 0, 0), 100)));
     for (const double(&slope)[2] : slopes)
     {
         const Mat labels = labelsOf(segment(gray(), makePlane(1500, slope[0], slope[1]), 100));
-        EXPECT_GT(compactness(labels, 100), frontal - 0.05) << slope[0] << " " << slope[1];
+        EXPECT_GT(compactness(labels), frontal - 0.05) << slope[0] << " " << slope[1];
     }
 }
 
@@ -110,13 +90,13 @@ TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
 TEST(ximgproc_GWatershed_surfaces, noise_of_depth_does_not_cut_a_wall)
 {
     Mat image = gray();
-    const double colour_alone = compactness(labelsOf(segment(image, Mat(), 100)), 100);
+    const double colour_alone = compactness(labelsOf(segment(image, Mat(), 100)));
     const Mat noisy = addNoise(makePlane(1500, 0, 0), 3e-6); // 7 mm
     Ptr<SuperpixelGWatershed> gws = segment(image, noisy, 100);
-    EXPECT_GT(compactness(labelsOf(gws), 100), 0.6 * colour_alone);
+    EXPECT_GT(compactness(labelsOf(gws)), 0.6 * colour_alone);
     gws->setNormalWeight(0); // depth as it is
     gws->iterate(image, noisy);
-    EXPECT_LT(compactness(labelsOf(gws), 100), 0.3 * colour_alone);
+    EXPECT_LT(compactness(labelsOf(gws)), 0.3 * colour_alone);
 }
 
 TEST(ximgproc_GWatershed_surfaces, depth_that_is_constant_or_missing_changes_nothing)

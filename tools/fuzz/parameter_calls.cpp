@@ -4,6 +4,8 @@
 
 #include "attempts.hpp"
 
+#include <functional>
+
 // Calls that set, write and read parameters.
 
 namespace fuzz
@@ -16,70 +18,71 @@ using cv::ximgproc::RGWATERSHED;
 void Session::setParameter()
 {
     Settings s = settingsOf(*gws_);
-    const char* const name = "setters take what is in range";
+    std::function<void()> set;
     switch (bytes_.ConsumeIntegralInRange(0, 13))
     {
     case 0:
         s.algorithm = bytes_.PickValueInArray({ int(GWATERSHED), int(RGWATERSHED), 199, 202, 0, INT_MIN });
-        attempt(inRange(s), name, [&]() { gws_->setAlgorithm(s.algorithm); });
+        set = [&]() { gws_->setAlgorithm(s.algorithm); };
         break;
     case 1:
         s.region_size = takeInt(30, bytes_);
         s.num_superpixels = 0;
-        attempt(inRange(s), name, [&]() { gws_->setRegionSize(s.region_size); });
+        set = [&]() { gws_->setRegionSize(s.region_size); };
         break;
     case 2:
         s.region_size = 0;
         s.num_superpixels = takeInt(max_pixels_ / 8, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setDesiredSuperpixels(s.num_superpixels); });
+        set = [&]() { gws_->setDesiredSuperpixels(s.num_superpixels); };
         break;
     case 3:
         s.ruler = takeFloat(60, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setRuler(s.ruler); });
+        set = [&]() { gws_->setRuler(s.ruler); };
         break;
     case 4:
         s.alpha = takeFloat(1, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setAlpha(s.alpha); });
+        set = [&]() { gws_->setAlpha(s.alpha); };
         break;
     case 5:
         s.lab_input = !s.lab_input;
-        gws_->setLabInput(s.lab_input);
+        set = [&]() { gws_->setLabInput(s.lab_input); };
         break;
     case 6:
         s.temporal = !s.temporal;
-        gws_->setTemporal(s.temporal);
+        set = [&]() { gws_->setTemporal(s.temporal); };
         break;
     case 7:
         s.low_value = takeFloat(300, bytes_);
         s.high_value = takeFloat(4000, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setValueRange(s.low_value, s.high_value); });
+        set = [&]() { gws_->setValueRange(s.low_value, s.high_value); };
         break;
     case 8:
         s.near_depth = takeFloat(3000, bytes_);
         s.far_depth = oneIn(2, bytes_) ? s.near_depth + takeFloat(4000, bytes_) : takeFloat(7000, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); });
+        set = [&]() { gws_->setDepthRange(s.near_depth, s.far_depth); };
         break;
     case 9:
         s.effort = takeInt(4, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setEffort(s.effort); });
+        set = [&]() { gws_->setEffort(s.effort); };
         break;
     case 10:
         s.focal_x = takeFloat(600, bytes_);
         s.focal_y = oneIn(2, bytes_) ? 0 : takeFloat(600, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setFocalLength(s.focal_x, s.focal_y); });
+        set = [&]() { gws_->setFocalLength(s.focal_x, s.focal_y); };
         break;
     case 11:
         s.normal_weight = takeFloat(1, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setNormalWeight(s.normal_weight); });
+        set = [&]() { gws_->setNormalWeight(s.normal_weight); };
         break;
     case 12:
         s.depth_adaptive = !s.depth_adaptive;
-        gws_->setDepthAdaptive(s.depth_adaptive);
+        set = [&]() { gws_->setDepthAdaptive(s.depth_adaptive); };
         break;
     default:
         s.border_threshold = takeFloat(1500, bytes_);
-        attempt(inRange(s), name, [&]() { gws_->setBorderThreshold(s.border_threshold); });
+        set = [&]() { gws_->setBorderThreshold(s.border_threshold); };
     }
+    attempt(inRange(s), "setters take what is in range", set);
     require(settingsOf(*gws_) == s || !inRange(s), "getters return what was set");
 }
 
