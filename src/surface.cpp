@@ -18,35 +18,12 @@ const int FARTHEST = 1, NEAREST = 255;
 const int LEVELS_OF_GAP = 64; //!< between the near end of the range and what is much nearer
 const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
 
-//! Nearness is offset + slope / depth.
+//! Nearness is offset + slope / depth, rounded down.
 struct NearnessScale
 {
     float offset, slope;
+    float horizon; //!< nearness of an infinite depth, not rounded
 };
-
-//! The depth of a pixel, 0 where it is missing. Infinity is a depth here.
-inline float depthOf(uchar depth) { return depth; }
-inline float depthOf(ushort depth) { return float(int(depth) & -int(depth != USHRT_MAX)); }
-inline float depthOf(short depth) { return float(std::max(int(depth), 0)); }
-template <typename T> inline float depthOf(T depth) { return float(depth > 0 ? depth : 0); }
-
-template <typename T> void readRow(const T* from, int cols, float* to)
-{
-    for (int x = 0; x < cols; x++)
-        to[x] = depthOf(from[x]);
-}
-
-void readRow(const Mat& depth, int y, float* to)
-{
-    switch (depth.depth())
-    {
-    case CV_8U: return readRow(depth.ptr<uchar>(y), depth.cols, to);
-    case CV_16U: return readRow(depth.ptr<ushort>(y), depth.cols, to);
-    case CV_16S: return readRow(depth.ptr<short>(y), depth.cols, to);
-    case CV_32F: return readRow(depth.ptr<float>(y), depth.cols, to);
-    default: readRow(depth.ptr<double>(y), depth.cols, to);
-    }
-}
 
 //! What depths become levels of nearness.
 struct DepthSpan
@@ -82,37 +59,35 @@ FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
     return range.first < range.last || nearer ? range : FloatRange();
 }
 
-template <typename T> DepthSpan findSpan(const Mat& depth)
+//! One depth of each step pixels that follow one another.
+std::vector<float> sampleDepths(const Mat& depth, int64 step)
+{
+    const size_t size = depth.elemSize();
+    std::vector<uchar> bytes;
+    visitSample(depth.size(), step, [&](int y, int x)
+    {
+        const uchar* from = depth.ptr(y) + size * x;
+        bytes.insert(bytes.end(), from, from + size);
+    });
+    std::vector<float> depths(bytes.size() / size);
+    readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
+    return depths;
+}
+
+//! From a sample, or from all pixels if it has none with depth.
+DepthSpan findSpan(const Mat& depth)
 {
     const int64 MANY = 8192, total = int64(depth.rows) * depth.cols;
-    std::vector<float> values;
     DepthSpan span = DepthSpan();
     for (int64 step = (total + MANY - 1) / MANY;; step = 1)
     {
-        bool has_far = false;
-        values.clear();
-        visitSample(depth.size(), step, [&](int y, int x)
-        {
-            const float value = depthOf(depth.at<T>(y, x));
-            if (isValidDepth(value))
-                values.push_back(value);
-            has_far |= isFarDepth(value);
-        });
-        span.range = rangeOf(values, has_far, span.nearer);
+        std::vector<float> depths = sampleDepths(depth, step);
+        const bool has_far = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
+        depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
+                     depths.end());
+        span.range = rangeOf(depths, has_far, span.nearer);
         if (span.range.last > 0 || step == 1)
             return span;
-    }
-}
-
-DepthSpan findSpan(const Mat& depth)
-{
-    switch (depth.depth())
-    {
-    case CV_8U: return findSpan<uchar>(depth);
-    case CV_16U: return findSpan<ushort>(depth);
-    case CV_16S: return findSpan<short>(depth);
-    case CV_32F: return findSpan<float>(depth);
-    default: return findSpan<double>(depth);
     }
 }
 
@@ -232,9 +207,6 @@ std::vector<float> raysOf(int blocks, float focal, float center)
     return rays;
 }
 
-//! A normal with its number, in parts of a word that 9 of them can be added up in.
-enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
-
 //! Finds the normals of a row of blocks.
 //! @note No product is added to anything, because some processors round that once, others twice. Squares are taken
 //! as integers.
@@ -303,7 +275,8 @@ private:
         const v_float32x4 z = v_cvt_f32(subtract(subtract(w, away_x), away_y));
         const v_int32x4 squares = add(add(squareOf(x), squareOf(y)), add(squareOf(z), v_setall_s32(2)));
         const v_float32x4 lengths = v_sqrt(multiply(v_cvt_f32(squares), v_setall_f32(UNIT * UNIT * 256)));
-        return add(add(partOf(x, lengths), v_shl<Y_SHIFT>(partOf(y, lengths))), v_setall_s32(1 << COUNT_SHIFT));
+        return add(add(partOf(x, lengths), v_shl<NormalSum::Y_SHIFT>(partOf(y, lengths))),
+                   v_setall_s32(1 << NormalSum::COUNT_SHIFT));
     }
 
     const float per_slope_x_, per_slope_y_;
@@ -319,13 +292,75 @@ void smoothRow(const int* above, const int* row, const int* below, int cols, std
         sums[x + 1] = above[x] + row[x] + below[x];
     for (int x = 0; x < cols; x++)
     {
-        const int sum = sums[x] + sums[x + 1] + sums[x + 2];
-        const float count = float(std::max(sum >> COUNT_SHIFT, 1));
-        const int nx = int(0.5f + float(sum & PART) / count), ny = int(0.5f + float(sum >> Y_SHIFT & PART) / count);
         const int known = -int(row[x] != 0); // all bits
-        to[x].x = uchar(nx & known);
-        to[x].y = uchar(ny & known);
+        to[x] = NormalSum::mean((sums[x] + sums[x + 1] + sums[x + 2]) & known);
     }
+}
+
+//! From the depth of the near end of the range, and of the far end, which may be infinite.
+NearnessScale scaleOf(float first, float last, int near_level)
+{
+    const double inverse_near = 1. / first, inverse_far = 1. / last;
+    const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
+                                  LEVELS / inverse_near);
+    const double horizon = near_level - slope * inverse_near;
+    const NearnessScale scale = { float(near_level + 0.5 - slope * inverse_near), float(slope), float(horizon) };
+    return scale;
+}
+
+//! Nearness of all pixels, and inverse depths of all blocks. Returns the levels that there are.
+LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_depth, Mat& nearness, Mat& inverses)
+{
+    const int blocks = (depth.cols + 1) / 2;
+    std::vector<LevelRange> ranges((depth.rows + 1) / 2);
+    parallel_for_(Range(0, int(ranges.size())), [&](const Range& rows)
+    {
+        std::vector<float> pair[2]; // of rows; the second one may be missing
+        for (std::vector<float>& row : pair)
+            row.assign(alignSize(2 * blocks, 16), 0.f);
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            std::fill(pair[1].begin(), pair[1].end(), 0.f);
+            for (int i = 0; i < std::min(2, depth.rows - 2 * y); i++)
+            {
+                uchar* levels = nearness.ptr(2 * y + i);
+                readDepths(depth.row(2 * y + i), pair[i].data());
+                scaleRow(pair[i].data(), depth.cols, scale, levels);
+                ranges[y].add(levels, depth.cols);
+            }
+            invertRows(pair[0].data(), pair[1].data(), blocks, near_depth, inverses.ptr<short>(y + REACH) + REACH);
+        }
+    });
+    LevelRange all;
+    for (const LevelRange& levels : ranges)
+        all.add(levels);
+    return all;
+}
+
+//! Normals of the blocks. Returns false if none has one, as where depth is a lattice of single pixels.
+bool findNormals(const Camera& camera, const Mat& inverses, Size blocks, Mat& raw_normals, Mat& normals)
+{
+    raw_normals.create(blocks.height + 2, inverses.cols - 2 * REACH, CV_32SC1);
+    raw_normals.row(0).setTo(Scalar(0));
+    raw_normals.row(blocks.height + 1).setTo(Scalar(0));
+    const NormalFinder finder(camera, blocks);
+    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+            finder.findRow(inverses.ptr<short>(y + REACH) + REACH, int(inverses.step1()), y,
+                           raw_normals.ptr<int>(y + 1));
+    });
+    if (countNonZero(raw_normals) == 0)
+        return false;
+    normals.create(blocks, CV_8UC2);
+    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
+    {
+        std::vector<int> sums;
+        for (int y = rows.start; y < rows.end; y++)
+            smoothRow(raw_normals.ptr<int>(y), raw_normals.ptr<int>(y + 1), raw_normals.ptr<int>(y + 2), blocks.width,
+                      sums, normals.ptr<Normal>(y));
+    });
+    return true;
 }
 
 } // namespace
@@ -334,7 +369,6 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
                  Mat& normals)
 {
     CV_TRACE_FUNCTION();
-    const Size blocks((depth.cols + 1) / 2, (depth.rows + 1) / 2);
     nearness = normals = Mat();
     DepthSpan span = { range, false };
     if (range.last <= 0)
@@ -342,66 +376,19 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     if (span.range.last <= 0)
         return;
     const float first = std::max(span.range.first, span.range.last <= FLT_MAX ? span.range.last / 256 : 0);
-    const int near_level = span.nearer ? NEAREST - LEVELS_OF_GAP : NEAREST;
-    const double inverse_near = 1. / first, inverse_far = 1. / span.range.last;
-    const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
-                                  LEVELS / inverse_near);
-    const NearnessScale scale = { float(near_level + 0.5 - slope * inverse_near), float(slope) };
-    camera.horizon = float(near_level - slope * inverse_near);
+    const NearnessScale scale = scaleOf(first, span.range.last, span.nearer ? NEAREST - LEVELS_OF_GAP : NEAREST);
+    camera.horizon = scale.horizon;
 
+    const Size blocks((depth.cols + 1) / 2, (depth.rows + 1) / 2);
     buffers.nearness.create(depth.size(), CV_8UC1);
-    const int stride_cols = int(alignSize(blocks.width, STRIDE));
-    buffers.inverses.create(blocks.height + 2 * REACH, stride_cols + 2 * REACH, CV_16SC1);
+    buffers.inverses.create(blocks.height + 2 * REACH, int(alignSize(blocks.width, STRIDE)) + 2 * REACH, CV_16SC1);
     buffers.inverses.setTo(Scalar(0));
-    std::vector<LevelRange> ranges(blocks.height);
-    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
-    {
-        std::vector<float> upper(alignSize(2 * blocks.width, 16)), lower(upper.size());
-        for (int y = rows.start; y < rows.end; y++)
-        {
-            readRow(depth, 2 * y, upper.data());
-            scaleRow(upper.data(), depth.cols, scale, buffers.nearness.ptr(2 * y));
-            lower.assign(lower.size(), 0.f);
-            if (2 * y + 1 < depth.rows)
-            {
-                readRow(depth, 2 * y + 1, lower.data());
-                scaleRow(lower.data(), depth.cols, scale, buffers.nearness.ptr(2 * y + 1));
-            }
-            invertRows(upper.data(), lower.data(), blocks.width, first,
-                       buffers.inverses.ptr<short>(y + REACH) + REACH);
-            for (int row = 2 * y; row < std::min(2 * y + 2, depth.rows); row++)
-                ranges[y].add(buffers.nearness.ptr(row), depth.cols);
-        }
-    });
-    LevelRange all;
-    for (const LevelRange& levels : ranges)
-        all.add(levels);
-    if (all.low >= all.high)
+    const LevelRange levels = scaleAndInvert(depth, scale, first, buffers.nearness, buffers.inverses);
+    if (levels.low >= levels.high)
         return;
     nearness = buffers.nearness;
-
-    buffers.raw_normals.create(blocks.height + 2, stride_cols, CV_32SC1);
-    buffers.raw_normals.row(0).setTo(Scalar(0));
-    buffers.raw_normals.row(blocks.height + 1).setTo(Scalar(0));
-    buffers.normals.create(blocks, CV_8UC2);
-    const NormalFinder finder(camera, blocks);
-    const int step = int(buffers.inverses.step1());
-    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
-    {
-        for (int y = rows.start; y < rows.end; y++)
-            finder.findRow(buffers.inverses.ptr<short>(y + REACH) + REACH, step, y,
-                           buffers.raw_normals.ptr<int>(y + 1));
-    });
-    if (countNonZero(buffers.raw_normals) == 0) // as where depth is a lattice of single pixels
-        return;
-    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
-    {
-        std::vector<int> sums;
-        for (int y = rows.start; y < rows.end; y++)
-            smoothRow(buffers.raw_normals.ptr<int>(y), buffers.raw_normals.ptr<int>(y + 1),
-                      buffers.raw_normals.ptr<int>(y + 2), blocks.width, sums, buffers.normals.ptr<Normal>(y));
-    });
-    normals = buffers.normals;
+    if (findNormals(camera, buffers.inverses, blocks, buffers.raw_normals, buffers.normals))
+        normals = buffers.normals;
 }
 
 }}} // namespace

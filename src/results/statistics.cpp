@@ -50,20 +50,21 @@ public:
     StripeSums(int num_labels, const Mat& image, const Mat& depth)
         : image_(image), depth_(depth), channels_(image.empty() ? 0 : image.channels()), extents_(num_labels),
           colors_(size_t(num_labels) * channels_, 0.), color_areas_(isFloat(image) ? colors_.size() : 0, 0),
-          no_depth_(depth.depth() == CV_16U ? USHRT_MAX : 0), depths_(depth.empty() ? 0 : num_labels, 0.),
+          depths_(depth.empty() ? 0 : num_labels, 0.),
           depth_areas_(depths_.size(), 0)
     {
     }
 
     void addRows(const Mat& labels, const Range& rows)
     {
-        Mat colors, depths;
+        Mat colors;
+        std::vector<double> depths(depth_.cols);
         for (int y = rows.start; y < rows.end; y++)
         {
             if (!image_.empty())
                 image_.row(y).convertTo(colors, CV_64F);
             if (!depth_.empty())
-                depth_.row(y).convertTo(depths, CV_64F);
+                readDepths(depth_.row(y), depths.data());
             const int* row = labels.ptr<int>(y);
             for (int x = 0; x < labels.cols;)
             {
@@ -76,7 +77,7 @@ public:
                 if (!colors.empty())
                     addColors(colors.ptr<double>(), first, x, label);
                 if (!depths.empty())
-                    addDepths(depths.ptr<double>(), first, x, label);
+                    addDepths(depths.data(), first, x, label);
             }
         }
     }
@@ -159,7 +160,7 @@ private:
     void addDepths(const double* row, int first, int end, int label)
     {
         for (int x = first; x < end; x++)
-            if (isValidDepth(row[x]) && row[x] != no_depth_)
+            if (isValidDepth(row[x]))
             {
                 depths_[label] += row[x];
                 depth_areas_[label]++;
@@ -171,7 +172,6 @@ private:
     std::vector<Extent> extents_;
     std::vector<double> colors_; // channels of a superpixel side by side
     std::vector<int> color_areas_; // finite values of floats; empty where all values are finite
-    const double no_depth_;        // stands for a depth that is missing
     std::vector<double> depths_;
     std::vector<int> depth_areas_;
 };

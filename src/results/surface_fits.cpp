@@ -54,18 +54,16 @@ struct Fit
 void measureSurfaces(const Mat& labels, int num_labels, const Mat& depth, Point2f focal, Mat& positions, Mat& normals)
 {
     CV_TRACE_FUNCTION();
-    const double missing = depth.depth() == CV_16U ? USHRT_MAX : 0;
     std::vector<Fit> fits(num_labels, Fit());
     const Point2d center(0.5 * (labels.cols - 1), 0.5 * (labels.rows - 1));
-    Mat row;
+    std::vector<double> depths(labels.cols);
     for (int y = 0; y < depth.rows; y++)
     {
-        depth.row(y).convertTo(row, CV_64F);
-        const double* depths = row.ptr<double>();
+        readDepths(depth.row(y), depths.data());
         for (int x = 0; x < labels.cols; x++)
         {
             const int label = labels.at<int>(y, x);
-            if (label >= 0 && isValidDepth(depths[x]) && depths[x] != missing)
+            if (label >= 0 && isValidDepth(depths[x]))
                 fits[label].add((x - center.x) / focal.x, (y - center.y) / focal.y, depths[x]);
         }
     }

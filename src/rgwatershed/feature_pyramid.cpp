@@ -140,9 +140,6 @@ static void thirdFeatures(const Padded<Feature>& features, bool with_depth, cons
     }
 }
 
-// Normals with their number, in parts of a word that 16 of them can be added up in.
-enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
-
 //! Adds up the normals of each column.
 static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& words)
 {
@@ -152,12 +149,11 @@ static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& 
     {
         const Normal* row = normals.ptr<Normal>(y);
         for (int x = 0; x < normals.cols; x++)
-            sums[x] += row[x].x + (row[x].y << Y_SHIFT) + (row[x].known() << COUNT_SHIFT);
+            sums[x] += NormalSum::of(row[x]);
     }
 }
 
 //! Normals of blocks of some side, from those of blocks of 2x2 pixels: means of what is known of those they touch.
-//! @note Halves of a level are exact in the quotients, so they are rounded as they are in integers.
 static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
 {
     united.create(size, CV_8UC2);
@@ -174,11 +170,7 @@ static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
             }
             Normal* to = united.ptr<Normal>(y);
             for (int x = 0; x < size.width; x++)
-            {
-                const float count = float(std::max(sums[x] >> COUNT_SHIFT, 1));
-                to[x].x = uchar(int(0.5f + float(sums[x] & PART) / count));
-                to[x].y = uchar(int(0.5f + float(sums[x] >> Y_SHIFT & PART) / count));
-            }
+                to[x] = NormalSum::mean(sums[x]);
         }
     });
 }

@@ -64,8 +64,7 @@ int RegionChoice::squaredDistance(int pixel, int y, int region) const
     if (!distance_.with_surfaces)
         return distance_.squared(feature, mean);
     const Point p(pixel - map_.index(Point(0, y)), y);
-    return distance_.withoutSurface().squared(
-        feature, mean, distance_.ofSurface(feature, map_.normalAt(p), mean, surfaces_[region], p.x, p.y));
+    return distance_.squared(feature, map_.normalAt(p), mean, surfaces_[region], p);
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are

@@ -46,10 +46,11 @@ public:
         v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
         if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
         {
-            const v_int32x4 has_depth = v_reinterpret_as_s32(v_min(v_shr<24>(features), v_setall_u32(1)));
+            const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(features));
+            const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), depth)); // all bits
             const v_int16x8 odd_away_too = difference(odd, pairsWithDepth(region, at));
             const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
-            away = v_muladd(v_muladd(away, v_setall_s32(-1), with_depth), has_depth, away);
+            away = add(away, bitAnd(subtract(with_depth, away), has_depth));
         }
         const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
         const short dy = short(std::max(std::min(offset.y, int(FARTHEST)), -FARTHEST));

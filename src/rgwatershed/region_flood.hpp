@@ -21,18 +21,10 @@ struct FloodRegion
             update();
     }
 
-    //! The same where there is depth. p is the place.
-    void add(const Feature& f, Point p)
-    {
-        rise += f.depth ? slope.dot(p - center) : 0;
-        add(f);
-    }
-
     //! Depth of its plane at a place, in steps.
     int depthAt(Point p) const
     {
-        const int depth = means[3] + slope.dot(p - center) / SurfaceMean::PLANE_UNIT;
-        return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL);
+        return SurfaceMean::limit(means[3] + slope.dot(p - center) / SurfaceMean::PLANE_UNIT);
     }
 
     void add(const Feature& f)
@@ -40,6 +32,13 @@ struct FloodRegion
         sum.add(f);
         if (sum.area >= next_update)
             update();
+    }
+
+    //! The same where there is depth. p is the place.
+    void add(const Feature& f, Point p)
+    {
+        rise += f.depth ? slope.dot(p - center) : 0;
+        add(f);
     }
 
     //! Takes the means anew.

@@ -7,21 +7,19 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! distance is without surfaces, which are added.
 static int errorAt(const FeatureMap& features, Point p, const RegionDistance& distance, const Regions& regions,
                    int region)
 {
     const Feature& feature = features.row(p.y)[p.x];
     const RegionMean& mean = regions.means[region];
-    const int of_surface = !regions.surfaces.present ? 0
-            : distance.ofSurface(feature, features.normalAt(p), mean, regions.surfaces.means[region], p.x, p.y);
-    return distance.squared(feature, mean, of_surface);
+    if (!regions.surfaces.present)
+        return distance.squared(feature, mean);
+    return distance.squared(feature, features.normalAt(p), mean, regions.surfaces.means[region], p);
 }
 
-void measureErrors(const FeatureMap& features, const RegionDistance& full_distance, const Padded<int>& labels,
+void measureErrors(const FeatureMap& features, const RegionDistance& distance, const Padded<int>& labels,
                    const Regions& regions, std::vector<int64>& errors)
 {
-    const RegionDistance distance = full_distance.withoutSurface();
     CV_TRACE_FUNCTION();
     errors.assign(regions.size(), 0);
     const Size size = labels.size();

@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // Constants found on one half of the photographs of BSDS500's train split and checked on the other;
 // doc/log.md has the figures.
 
-enum { MAX_LEVEL = 2 };                        // of the pyramid: blocks of 2^level pixels are flooded
+enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
 static const double MARKERS_WITH_BUFFERS = 0.05; // for each pixel; with more of them, below 9x9 pixels, buffers of
                                                // merging would be most of the memory, and are not kept
@@ -23,7 +23,7 @@ enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
 static const double MOST_AREA = 3.6;           // of a superpixel, in mean areas, that still gains blocks or pixels
-static const int SWEEPS_AFTER_MERGING = 1;     // of the same; or merged regions keep blocks that hang over an edge
+static const int SWEEPS_AFTER_MERGING = 1;     // of these blocks; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
 static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first

@@ -32,6 +32,24 @@ struct Normal
     bool known() const { return x != 0; }
 };
 
+//! Normals with their number, in the parts of a word: up to 16 of them are added up at once.
+//! @note Halves of a level are exact in the quotients, so they are rounded as they are in integers.
+struct NormalSum
+{
+    enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
+
+    static int of(const Normal& n) { return n.x + (n.y << Y_SHIFT) + (n.known() << COUNT_SHIFT); }
+
+    //! The mean of those that are known.
+    static Normal mean(int sum)
+    {
+        const float count = float(std::max(sum >> COUNT_SHIFT, 1));
+        const Normal mean = { uchar(int(0.5f + float(sum & PART) / count)),
+                              uchar(int(0.5f + float(sum >> Y_SHIFT & PART) / count)) };
+        return mean;
+    }
+};
+
 //! Features of the pixels of an image, or of the blocks of a level, and beside them their normals, if there are any.
 //! Normals change slowly, so pixels have those of blocks of 2x2.
 struct FeatureMap : Padded<Feature>

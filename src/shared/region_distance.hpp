@@ -43,34 +43,14 @@ public:
         weights[1][3] = short(depth_share);
     }
 
-    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. ofSurface()
-    //! is what it lacks. Depth says nothing from pixel to pixel: on a slanted plane it has a step at each of them.
+    //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. Depth says
+    //! nothing from pixel to pixel: on a slanted plane it has a step at each of them.
     RegionDistance withoutSurface() const
     {
         RegionDistance distance = *this;
         if (with_surfaces)
             distance.weights[1][3] = 0;
         return distance;
-    }
-
-    //! What the surface adds to a distance, in 1/FULL_WEIGHT of a step: the depth of a pixel against the plane of the
-    //! region at its place, and its normal against that of the region; nothing of what is not known.
-    int ofSurface(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, int x, int y) const
-    {
-        const int has_depth = -(int(f.depth != 0) & int(r.depth != RegionMean::NO_DEPTH)); // all bits
-        const int has_normal = -(int(n.known()) & int(s.known()));
-        const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
-        return ((depth_share * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(x, y))) & has_depth) +
-               ((normal_share * turned) & has_normal);
-    }
-
-    int operator()(const Feature& f, const RegionMean& r, int of_surface = 0) const
-    {
-        const short* w = weightsOf(f, r);
-        int sum = of_surface + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth);
-        for (int k = 0; k < 3; k++)
-            sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
-        return sum / FULL_WEIGHT;
     }
 
     //! Distance of two pixels.
@@ -83,11 +63,22 @@ public:
         return sum / (FULL_WEIGHT / STEPS_PER_LEVEL);
     }
 
-    //! The square of it, in squared levels.
-    int squared(const Feature& f, const RegionMean& r, int of_surface = 0) const
+    //! The square of the distance of a pixel to a region, in squared levels.
+    int squared(const Feature& f, const RegionMean& r) const
     {
-        const int d = (*this)(f, r, of_surface);
-        return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
+        const short* w = weightsOf(f, r);
+        return squareOf(ofColors(f, r, w) + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth));
+    }
+
+    //! The same for a region with a surface: the depth of the pixel counts against the plane of the region at its
+    //! place, and its normal n against that of the region; nothing of what is not known.
+    int squared(const Feature& f, const Normal& n, const RegionMean& r, const SurfaceMean& s, Point p) const
+    {
+        const short* w = weightsOf(f, r);
+        const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
+        const int has_normal = -(int(n.known()) & int(s.known())); // all bits
+        return squareOf(ofColors(f, r, w) + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(p.x, p.y)) +
+                        ((normal_share * turned) & has_normal));
     }
 
     //! The squares of four pairs at once.
@@ -105,8 +96,7 @@ public:
         return squareOf(dotProduct(color_differences, first, dotProduct(depth_differences, second, v_setzero_s32())));
     }
 
-    //! The same for regions with surfaces. x are the places of the pixels in row y. Depth is measured against planes,
-    //! as by ofSurface(); normals n count if WITH_NORMALS.
+    //! The same for regions with surfaces. x are the places of the pixels in row y. Normals n count if WITH_NORMALS.
     template <bool WITH_NORMALS>
     v_int32x4 squared(const Feature* const* f, const Normal* const* n, const RegionMean* const* r,
                       const SurfaceMean* const* s, const v_int32x4& x, int y) const
@@ -188,6 +178,21 @@ private:
         return v_dotprod(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b), sum);
     }
 
+    //! In 1/FULL_WEIGHT of a step.
+    static int ofColors(const Feature& f, const RegionMean& r, const short* w)
+    {
+        int sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum += w[k] * std::abs(STEPS_PER_LEVEL * f.color[k] - r.color[k]);
+        return sum;
+    }
+
+    //! Of distances in 1/FULL_WEIGHT of a step, in squared levels.
+    static int squareOf(int sum)
+    {
+        const int d = sum / FULL_WEIGHT;
+        return d * d / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
+    }
     //! @note Distances fit into the lower half.
     static v_int32x4 squareOf(const v_int32x4& sum)
     {

@@ -42,7 +42,6 @@ struct SurfaceMean
         return limit((base + int(rise / CENTER_UNIT)) >> 6);
     }
 
-private:
     static int limit(int depth) { return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL); }
 };
 

@@ -22,6 +22,16 @@ template <typename T> inline bool isFarDepth(T) { return false; }
 inline bool isFarDepth(float depth) { return depth > FLT_MAX; }
 inline bool isFarDepth(double depth) { return depth > FLT_MAX; }
 
+//! Reads a row of a depth map, with room for as many values. What is missing becomes 0, what is too far infinite.
+template <typename Value> inline void readDepths(const Mat& row, Value* to)
+{
+    Mat values(1, row.cols, DataType<Value>::type, to);
+    row.convertTo(values, values.type());
+    const Value missing = row.depth() == CV_16U ? Value(USHRT_MAX) : Value(0);
+    for (int x = 0; x < row.cols; x++)
+        to[x] = (to[x] > 0) & (to[x] != missing) ? to[x] : Value(0);
+}
+
 }}} // namespace
 
 #endif
