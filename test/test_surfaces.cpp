@@ -87,6 +87,35 @@ TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
     EXPECT_GT(purity(labelsOf(segment(gray(), depth, 80)), 80, inside), 0.99);
 }
 
+//! Compactness of what a patch of another colour, which appears in a video of a plane, is divided into.
+static double compactnessOfNewPatch(double slope_x, double slope_y)
+{
+    const Rect patch(90, 60, 140, 120);
+    const Mat plane = makePlane(900, slope_x, slope_y);
+    Mat image = gray();
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 100);
+    gws->setFocalLength(FOCAL);
+    gws->setDepthRange(300, 9000);
+    gws->setTemporal(true);
+    gws->iterate(image, plane);
+    image(patch).setTo(Scalar(40, 60, 200));
+    gws->iterate(image, plane);
+    Mat labels = labelsOf(gws)(patch).clone();
+    std::map<int, int> numbers;
+    for (int& label : Mat_<int>(labels))
+        label = numbers.insert(std::make_pair(label, int(numbers.size()))).first->second;
+    return compactness(labels);
+}
+
+TEST(ximgproc_GWatershed_surfaces, new_superpixels_of_a_video_are_as_compact_on_a_plane_at_an_angle)
+{
+    const double frontal = compactnessOfNewPatch(0, 0), slopes[] = { 0, 0.8, 1.2 };
+    double mean = 0;
+    for (double slope : slopes)
+        mean += compactnessOfNewPatch(slope, -1.5) / 3;
+    EXPECT_GT(mean, frontal - 0.05);
+}
+
 TEST(ximgproc_GWatershed_surfaces, noise_of_depth_does_not_cut_a_wall)
 {
     Mat image = gray();

@@ -18,7 +18,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     regions.resize(num_labels);
     measureRegions(features, labels, regions);
     MergeBuffers buffers;
-    buffers.graph.build(labels, num_labels, features, distance.withoutSurface());
+    buffers.graph.build(labels, num_labels, features, distance);
     measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, MERGE_BY_VARIANCES, buffers, regions);
     unions_ = merger.runToTheEnd();

@@ -14,7 +14,7 @@ void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const
     if (regions.size() <= num_regions)
         return;
     Mat map = labels.view(CV_32SC1);
-    buffers.graph.build(map, regions.size(), features, distance.withoutSurface());
+    buffers.graph.build(map, regions.size(), features, distance);
     SimilarMerger merger(distance, rules, buffers, regions);
     merger.run(num_regions);
 

@@ -251,9 +251,11 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
             }
         }
     });
+    if (features.withNormals())
+        measureSurfaces(features, labels.view(CV_32SC1), regions);
 }
 
-void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
+void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -278,7 +280,10 @@ void floodFromRegions(const Padded<Feature>& features, const RegionDistance& dis
               buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
-    regions.update();
+    if (features.withNormals())
+        measureSurfaces(features, labels.view(CV_32SC1), regions);
+    else
+        regions.update();
 }
 
 }}} // namespace

@@ -78,7 +78,7 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
 //! stays UNSEEN.
-void floodFromRegions(const Padded<Feature>& features, const RegionDistance& distance, FloodBuffers& buffers,
+void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions);
 
 }}} // namespace

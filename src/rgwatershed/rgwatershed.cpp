@@ -82,8 +82,6 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
                     plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
                     labels_[plan.levels.top], regions_);
-    if (features.withNormals())
-        measureSurfaces(features, labels_[plan.levels.top].view(CV_32SC1), regions_);
     return markers_in_cell;
 }
 
@@ -114,8 +112,6 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     regions_.resize(frame.num_superpixels);
     measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
     floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
-    if (features_[0].withNormals())
-        measureSurfaces(features_[0], labels_[0].view(CV_32SC1), regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
 }
@@ -155,8 +151,6 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     spreadLabels(labels_[level + 1], side, features_[level].size(), labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
-    if (features_[level].withNormals())
-        measureSurfaces(features_[level], labels_[level].view(CV_32SC1), regions_);
     if (level > 0)
     {
         closeUnseen(labels_[level]);

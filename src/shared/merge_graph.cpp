@@ -81,6 +81,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
 {
     CV_TRACE_FUNCTION();
     const int LOWEST = 16, MOST = 32; // chunks of rows do not depend on the number of threads
+    const RegionDistance between_pixels = distance.withoutSurface();
     const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST);
     setRegions(num_regions);
     rows_.resize((labels.rows + height - 1) / height);
@@ -89,7 +90,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
         for (int k = range.start; k < range.end; k++)
         {
             const Range chunk(k * height, std::min((k + 1) * height, labels.rows));
-            listEdges(labels, chunk, features, distance, rows_[k]);
+            listEdges(labels, chunk, features, between_pixels, rows_[k]);
             findSegments(rows_[k]);
         }
     });
