@@ -45,10 +45,14 @@ static int divide(int length, int i, int n)
     return int(int64(length) * i / n);
 }
 
-//! The same limit for lengths of an image: halves lie away from its middle, so that a mirrored one has the same limits.
-static int divideEvenly(int length, int i, int n)
+//! The same for blocks
+static int divideEvenly(int count, int length, int i, int ns, int n)
 {
-    return int((2 * int64(length) * i + n - (2 * i < n)) / (2 * n));
+    if (2 * i > n)
+        return count - divideEvenly(count, length, n - i, ns, n);
+    if (2 * i == n)
+        return (count + 1) / 2;
+    return int((2 * int64(length) * i + ns - 1) / (2 * int64(ns)));
 }
 
 //! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken in a
@@ -74,12 +78,12 @@ static int countRows(Size size, int n, bool symmetric)
 }
 
 MarkerGrid::MarkerGrid(Size size_, int num_cells_)
-    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)), parts(1, 1), symmetric(false)
+    : size(size_), pixels(size_), side(1), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)), parts(1, 1), symmetric(false)
 {
 }
 
-MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
-    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)), parts(1, 1), symmetric(true)
+MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell, Size pixels_, int side_)
+    : size(size_), pixels(pixels_), side(side_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)), parts(1, 1), symmetric(true)
 {
     int height = int(std::sqrt(double(markers_in_cell)));
     while (markers_in_cell % height != 0)
@@ -94,9 +98,14 @@ MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
     rows = countRows(size, num_cells, true);
 }
 
-int MarkerGrid::limit(int length, int i, int n) const
+int MarkerGrid::limitX(int i, int n) const
 {
-    return symmetric ? divideEvenly(length, i, n) : divide(length, i, n);
+    return symmetric ? divideEvenly(size.width, pixels.width, i, n * side, n) : divide(size.width, i, n);
+}
+
+int MarkerGrid::limitY(int i, int n) const
+{
+    return symmetric ? divideEvenly(size.height, pixels.height, i, n * side, n) : divide(size.height, i, n);
 }
 
 void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands)
@@ -105,8 +114,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     bands.clear();
     for (int i = 0, first = 0; i < grid.rows; i++)
     {
-        const int top = grid.limit(grid.size.height, first, grid.rows);
-        const int bottom = grid.limit(grid.size.height, i + 1, grid.rows);
+        const int top = grid.limitY(first, grid.rows);
+        const int bottom = grid.limitY(i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
@@ -117,33 +126,39 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
 }
 
 //! Places the markers of a row of cells, number first..last-1.
-static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int first, int last, Point* markers)
+static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int first, int last, Point* markers,
+                       Point* middles)
 {
     const Size parts = grid.parts;
     const int columns = (last - first) * parts.width;
     for (int i = 0; i < parts.height; i++)
     {
         const int part_row = row * parts.height + i;
-        const int top = grid.limit(grid.size.height, part_row, grid.rows * parts.height);
-        const int bottom = grid.limit(grid.size.height, part_row + 1, grid.rows * parts.height);
+        const int top = grid.limitY(part_row, grid.rows * parts.height);
+        const int bottom = grid.limitY(part_row + 1, grid.rows * parts.height);
         for (int k = 0, left = 0, right; k < columns; k++, left = right)
         {
-            right = grid.limit(grid.size.width, k + 1, columns);
-            markers[(first + k / parts.width) * parts.area() + i * parts.width + k % parts.width] =
-                    findMarker(gradient, Rect(Point(left, top), Point(right, bottom)), grid.symmetric);
+            right = grid.limitX(k + 1, columns);
+            const int index = (first + k / parts.width) * parts.area() + i * parts.width + k % parts.width;
+            const Rect part(Point(left, top), Point(right, bottom));
+            markers[index] = findMarker(gradient, part, grid.symmetric);
+            const Point m = 2 * markers[index], c(left + right - 1, top + bottom - 1);
+            middles[index] = std::max(std::abs(m.x - c.x), std::abs(m.y - c.y)) <= 1 ? c : m;
         }
     }
 }
 
-void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers)
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles)
 {
+    middles.resize(grid.numMarkers());
     CV_TRACE_FUNCTION();
     markers.resize(grid.numMarkers());
     parallel_for_(Range(0, grid.rows), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
             placeInRow(gradient, grid, i, divide(grid.num_cells, i, grid.rows),
-                       divide(grid.num_cells, i + 1, grid.rows), markers.data());
+                       divide(grid.num_cells, i + 1, grid.rows), markers.data(), middles.data());
     });
 }
 

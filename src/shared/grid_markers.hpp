@@ -17,19 +17,22 @@ struct MarkerGrid
     MarkerGrid(Size size, int num_cells);
     //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many
     //! cells as markers.
-    MarkerGrid(Size size, int num_cells, int markers_in_cell);
+    MarkerGrid(Size size, int num_cells, int markers_in_cell, Size pixels, int side);
 
     int numMarkers() const { return num_cells * parts.area(); }
     //! The i-th of the n + 1 limits that divide a side of the image into n equal parts.
-    int limit(int length, int i, int n) const;
+    int limitX(int i, int n) const;
+    int limitY(int i, int n) const;
 
     Size size;      //!< of the image
+    Size pixels; int side;
     int num_cells, rows;
     Size parts;     //!< of each cell
     bool symmetric; //!< a mirrored image has the mirrored grid
 };
 
-void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles);
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
 //! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in
