@@ -38,7 +38,7 @@ int GWatershed::run(const Frame& frame, const Parameters& parameters, Mat& label
         if (frame.continues)
             trackMarkers(gradient_, last_labels_, !frame.mask.empty(), marker_buffers_, markers_);
         else if (frame.mask.empty())
-            placeGridMarkers(gradient_, MarkerGrid(gradient_.size(), num_superpixels), markers_, middles_);
+            placeGridMarkers(gradient_, MarkerGrid(gradient_.size(), num_superpixels), markers_);
         else
             placeShapeMarkers(gradient_, frame.mask, num_superpixels, marker_buffers_, markers_);
         labelMarkers(markers_, pixels_);

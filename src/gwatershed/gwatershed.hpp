@@ -34,7 +34,7 @@ public:
 private:
     Mat color_, depth_; // of the last run
     Mat gradient_;
-    std::vector<Point> middles_, markers_;
+    std::vector<Point> markers_;
     MarkerBuffers marker_buffers_;
     Mat last_labels_;
     PixelMap pixels_;

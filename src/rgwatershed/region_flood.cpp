@@ -23,7 +23,7 @@ template <bool WITH_DEPTH> class NeighborPriorities
 {
 public:
     NeighborPriorities(const RegionDistance& distance, int ruler)
-        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13)))
+        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13))) // for half a block
     {
         const short (*w)[4] = distance.weights;
         for (int k = 0; k < 1 + WITH_DEPTH; k++)
@@ -238,7 +238,8 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 const int seed = labels.index(markers[m]);
                 labels.data()[seed] = first + m;
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
-                buffers.regions[first + m].middle = middles[m];
+                if (!middles.empty())
+                    buffers.regions[first + m].middle = middles[m];
                 if (features.withNormals())
                     buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);

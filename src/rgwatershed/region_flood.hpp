@@ -70,7 +70,7 @@ struct FloodBuffers
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
-//! are there.
+//! are there. middles are twice the places that the ruler counts from, or empty: then it counts from the markers.
 //! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256. Regions of more
 //! pixels than usual_area come last.
 void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers, const std::vector<Point>& middles,

@@ -64,8 +64,10 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     {
         const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
         const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
-        const MarkerGrid grid(features.size(), plan.num_markers / in_cell, in_cell, features_[0].size(), plan.levels.side(plan.levels.top));
-        placeGridMarkers(gradient_, grid, markers_, middles_);
+        const MarkerGrid grid(features.size(), features_[0].size(), plan.levels.side(plan.levels.top),
+                              plan.num_markers / in_cell, in_cell);
+        placeGridMarkers(gradient_, grid, markers_);
+        findMiddles(grid, markers_, middles_);
         divideIntoBands(grid, plan.band_height, bands_);
         markers_in_cell = grid.parts.area();
     }
@@ -77,8 +79,6 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
             placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
         middles_.clear();
-        for (size_t i = 0; i < markers_.size(); i++)
-            middles_.push_back(2 * markers_[i]);
     }
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);

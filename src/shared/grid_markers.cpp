@@ -6,6 +6,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Distance from the middle of a gradient, twice in each direction.
+static int64 fromMiddle(const Mat& gradient, Point p)
+{
+    return std::abs(2 * int64(p.x) + 1 - gradient.cols) + std::abs(2 * int64(p.y) + 1 - gradient.rows);
+}
+
 //! @note The paper asks for local minima of the gradient and gives no rule.
 Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
 {
@@ -16,23 +22,22 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
     Point best;
     int smallest = INT_MAX;
-    int64 nearest = 0, most_central = 0;
+    int64 nearest = 0;
     for (int y = window.y; y < window.br().y; y++)
     {
         const ushort* row = gradient.ptr<ushort>(y);
+        const int64 dy = 2 * y - center2.y;
         for (int x = window.x; x < window.br().x; x++)
         {
             if (row[x] > smallest)
                 continue;
-            const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y;
-            const int64 from_middle = std::abs(2 * x + 1 - gradient.cols) + std::abs(2 * y + 1 - gradient.rows);
-            const int64 away = dx * dx + dy * dy;
-            if (row[x] < smallest || away < nearest || (away == nearest && symmetric && from_middle < most_central))
+            const int64 dx = 2 * x - center2.x, away = dx * dx + dy * dy;
+            if (row[x] < smallest || away < nearest ||
+                (away == nearest && symmetric && fromMiddle(gradient, Point(x, y)) < fromMiddle(gradient, best)))
             {
                 best = Point(x, y);
                 smallest = row[x];
                 nearest = away;
-                most_central = from_middle;
             }
         }
     }
@@ -45,14 +50,15 @@ static int divide(int length, int i, int n)
     return int(int64(length) * i / n);
 }
 
-//! The same for blocks
-static int divideEvenly(int count, int length, int i, int ns, int n)
+//! The same limit for `count` elements with a length of length / unit, in whole elements. Halves lie away from the
+//! middle, so that a mirrored image has the same limits.
+static int divideEvenly(int count, int length, int unit, int i, int n)
 {
-    if (2 * i > n)
-        return count - divideEvenly(count, length, n - i, ns, n);
     if (2 * i == n)
         return (count + 1) / 2;
-    return int((2 * int64(length) * i + ns - 1) / (2 * int64(ns)));
+    const int64 nearer = std::min(i, n - i); // to its end of the image
+    const int limit = int((2 * length * nearer + int64(n) * unit - 1) / (2 * int64(n) * unit));
+    return 2 * i < n ? limit : count - limit;
 }
 
 //! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken in a
@@ -78,12 +84,14 @@ static int countRows(Size size, int n, bool symmetric)
 }
 
 MarkerGrid::MarkerGrid(Size size_, int num_cells_)
-    : size(size_), pixels(size_), side(1), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)), parts(1, 1), symmetric(false)
+    : size(size_), extent(size_), unit(1), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)),
+      parts(1, 1), symmetric(false)
 {
 }
 
-MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell, Size pixels_, int side_)
-    : size(size_), pixels(pixels_), side(side_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)), parts(1, 1), symmetric(true)
+MarkerGrid::MarkerGrid(Size size_, Size extent_, int unit_, int num_cells_, int markers_in_cell)
+    : size(size_), extent(extent_), unit(unit_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)),
+      parts(1, 1), symmetric(true)
 {
     int height = int(std::sqrt(double(markers_in_cell)));
     while (markers_in_cell % height != 0)
@@ -98,14 +106,14 @@ MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell, Size pix
     rows = countRows(size, num_cells, true);
 }
 
-int MarkerGrid::limitX(int i, int n) const
+int MarkerGrid::limitOfColumns(int i, int n) const
 {
-    return symmetric ? divideEvenly(size.width, pixels.width, i, n * side, n) : divide(size.width, i, n);
+    return symmetric ? divideEvenly(size.width, extent.width, unit, i, n) : divide(size.width, i, n);
 }
 
-int MarkerGrid::limitY(int i, int n) const
+int MarkerGrid::limitOfRows(int i, int n) const
 {
-    return symmetric ? divideEvenly(size.height, pixels.height, i, n * side, n) : divide(size.height, i, n);
+    return symmetric ? divideEvenly(size.height, extent.height, unit, i, n) : divide(size.height, i, n);
 }
 
 void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands)
@@ -114,8 +122,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     bands.clear();
     for (int i = 0, first = 0; i < grid.rows; i++)
     {
-        const int top = grid.limitY(first, grid.rows);
-        const int bottom = grid.limitY(i + 1, grid.rows);
+        const int top = grid.limitOfRows(first, grid.rows);
+        const int bottom = grid.limitOfRows(i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
@@ -125,40 +133,52 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     }
 }
 
-//! Places the markers of a row of cells, number first..last-1.
-static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int first, int last, Point* markers,
-                       Point* middles)
+//! Calls body(marker, part) for all parts of a row of cells, number first..last-1.
+template <typename Body>
+static void forPartsInRow(const MarkerGrid& grid, int row, int first, int last, const Body& body)
 {
     const Size parts = grid.parts;
     const int columns = (last - first) * parts.width;
     for (int i = 0; i < parts.height; i++)
     {
         const int part_row = row * parts.height + i;
-        const int top = grid.limitY(part_row, grid.rows * parts.height);
-        const int bottom = grid.limitY(part_row + 1, grid.rows * parts.height);
+        const int top = grid.limitOfRows(part_row, grid.rows * parts.height);
+        const int bottom = grid.limitOfRows(part_row + 1, grid.rows * parts.height);
         for (int k = 0, left = 0, right; k < columns; k++, left = right)
         {
-            right = grid.limitX(k + 1, columns);
-            const int index = (first + k / parts.width) * parts.area() + i * parts.width + k % parts.width;
-            const Rect part(Point(left, top), Point(right, bottom));
-            markers[index] = findMarker(gradient, part, grid.symmetric);
-            const Point m = 2 * markers[index], c(left + right - 1, top + bottom - 1);
-            middles[index] = std::max(std::abs(m.x - c.x), std::abs(m.y - c.y)) <= 1 ? c : m;
+            right = grid.limitOfColumns(k + 1, columns);
+            body((first + k / parts.width) * parts.area() + i * parts.width + k % parts.width,
+                 Rect(Point(left, top), Point(right, bottom)));
         }
     }
 }
 
-void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
-                      std::vector<Point>& middles)
+//! The same for all parts, some of them at the same time.
+template <typename Body> static void forParts(const MarkerGrid& grid, const Body& body)
 {
-    middles.resize(grid.numMarkers());
-    CV_TRACE_FUNCTION();
-    markers.resize(grid.numMarkers());
     parallel_for_(Range(0, grid.rows), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            placeInRow(gradient, grid, i, divide(grid.num_cells, i, grid.rows),
-                       divide(grid.num_cells, i + 1, grid.rows), markers.data(), middles.data());
+            forPartsInRow(grid, i, divide(grid.num_cells, i, grid.rows), divide(grid.num_cells, i + 1, grid.rows),
+                          body);
+    });
+}
+
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers)
+{
+    CV_TRACE_FUNCTION();
+    markers.resize(grid.numMarkers());
+    forParts(grid, [&](int i, const Rect& part) { markers[i] = findMarker(gradient, part, grid.symmetric); });
+}
+
+void findMiddles(const MarkerGrid& grid, const std::vector<Point>& markers, std::vector<Point>& middles)
+{
+    middles.resize(markers.size());
+    forParts(grid, [&](int i, const Rect& part)
+    {
+        const Point center(2 * part.x + part.width - 1, 2 * part.y + part.height - 1), marker = 2 * markers[i];
+        const bool central = std::abs(marker.x - center.x) <= 1 && std::abs(marker.y - center.y) <= 1;
+        middles[i] = central ? center : marker;
     });
 }
 

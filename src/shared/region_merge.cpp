@@ -86,11 +86,12 @@ static int squaredDistance(const RegionDistance& distance, const short* a, const
 //! the boundary, l its length, L the lightness of the means, m that of the union:
 //!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
-//!     max(1, (n1 + n2) / usual area)^32,   V = v1 + v2 + 16
+//!     max(1, (n1 + n2) s / usual area)^32,   V = v1 + v2 + 16,   s = root of max(1, root of the smaller n / l)
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
 //! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
 //! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
-//! these are to each other, and takes in one after the other. The cost is the same for both orders of the regions.
+//! these are to each other, and takes in one after the other. With s, strips that meet end to end are large earlier: they
+//! grow broader when boundaries are settled, up to twice as broad if they are one block broad. The cost is the same for both orders of the regions.
 //! @note The sum with the noise is one of integers: compilers may round a product and a sum of floats once or twice.
 static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
                             const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
@@ -99,12 +100,13 @@ static inline int unionCost(const MergeRules& rules, int squared_distance, int l
     const int variance = a.variance + b.variance + 16 * 256;
     const int64 noisy_distance = 64 * int64(squared_distance) + ((noise * int64(variance)) >> 8);
     const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
+    const int log_stretch = std::min(a.log_area, b.log_area) / 2 - log_length; // of the boundary to a square
+    const int log_excess = log_union + std::max(0, log_stretch / 2) - log_usual_area;
     const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
     return rules.distance * (logarithm(float(noisy_distance)) - logarithm(float(variance))) +
-           EXCESS * std::max(0, log_union - log_usual_area) +
+           EXCESS * std::max(0, log_excess) +
            rules.areas * (a.log_area + b.log_area - log_union) +
-           rules.contrast * (log_contrast - log_length) -
-           rules.length * (log_length - std::min(a.log_area, b.log_area) / 2) -
+           rules.contrast * (log_contrast - log_length) + rules.length * log_stretch -
            rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
            rules.brightness * (logarithm(a.light + b.light) - log_union) +
            rules.texture * logarithm(float(std::max(a.variance, b.variance) + 8 * 256));
