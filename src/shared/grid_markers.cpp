@@ -6,6 +6,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Distance from the middle of a gradient, twice in each direction.
+static int64 fromMiddle(const Mat& gradient, Point p)
+{
+    return std::abs(2 * int64(p.x) + 1 - gradient.cols) + std::abs(2 * int64(p.y) + 1 - gradient.rows);
+}
+
 //! @note The paper asks for local minima of the gradient and gives no rule.
 Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
 {
@@ -16,23 +22,22 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
     Point best;
     int smallest = INT_MAX;
-    int64 nearest = 0, most_central = 0;
+    int64 nearest = 0;
     for (int y = window.y; y < window.br().y; y++)
     {
         const ushort* row = gradient.ptr<ushort>(y);
+        const int64 dy = 2 * y - center2.y;
         for (int x = window.x; x < window.br().x; x++)
         {
             if (row[x] > smallest)
                 continue;
-            const int64 dx = 2 * x - center2.x, dy = 2 * y - center2.y;
-            const int64 from_middle = std::abs(2 * x + 1 - gradient.cols) + std::abs(2 * y + 1 - gradient.rows);
-            const int64 away = dx * dx + dy * dy;
-            if (row[x] < smallest || away < nearest || (away == nearest && symmetric && from_middle < most_central))
+            const int64 dx = 2 * x - center2.x, away = dx * dx + dy * dy;
+            if (row[x] < smallest || away < nearest ||
+                (away == nearest && symmetric && fromMiddle(gradient, Point(x, y)) < fromMiddle(gradient, best)))
             {
                 best = Point(x, y);
                 smallest = row[x];
                 nearest = away;
-                most_central = from_middle;
             }
         }
     }
