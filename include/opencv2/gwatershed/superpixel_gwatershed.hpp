@@ -244,9 +244,10 @@ public:
     The focal length of positions and normals is that of setFocalLength() at the last iterate(), or, if that was 0, 0.8
     of the longer side of the image; the optical axis meets the middle of the image. A mask changes neither of them.
 
-    Any table can be left out by noArray(), and takes no time then. Means and positions are NaN if there is nothing to
-    take them from, and so are normals if all pixels with depth are on one line. A table of what was not given has no
-    rows. In Python all are returned, and one without rows is None. Throws cv::Exception before the first iterate().
+    Any table can be left out by noArray(); means, positions and normals take no time then. Means and positions are NaN
+    if there is nothing to take them from, and so are normals if all pixels with depth are on one line. A table of what
+    was not given has no rows. In Python all are returned, and one without rows is None. Throws cv::Exception before the
+    first iterate().
     */
     CV_WRAP virtual void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
                                        OutputArray mean_colors = noArray(), OutputArray mean_depths = noArray(),
