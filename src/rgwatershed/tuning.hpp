@@ -15,8 +15,8 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
-static const double MARKERS_WITH_BUFFERS = 0.05; // for each pixel; with more of them, below 9x9 pixels, buffers of
-                                               // merging would be most of the memory, and are not kept
+static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
+                                               // effort, buffers of merging would be most of the memory: not kept
 enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
