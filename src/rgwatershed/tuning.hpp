@@ -60,7 +60,7 @@ struct EffortRules
 inline const EffortRules& effortRules(int effort)
 {
     static const EffortRules RULES[] = { { 0.6, 12, 2, 18, 0.5, 1 },
-                                         { 1, 12, 4, 18, 0.5, 1 },
+                                         { 0.88, 12, 4, 18, 0.5, 1 },
                                          { 2.4, 45, 8, 3, 10, 1 },
                                          { 2.4, 45, 10, 3, 10, 3 } };
     return RULES[effort];

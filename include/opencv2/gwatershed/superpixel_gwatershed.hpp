@@ -90,7 +90,7 @@ the same time. One object can not, except for its const methods: the second call
 of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
 markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds less than a microsecond.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond.
 Buffers are kept from one image to the next.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
