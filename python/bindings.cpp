@@ -10,12 +10,14 @@
 #include "parameters.hpp"
 #include "arguments.hpp"
 #include "results/statistics.hpp"
+#include "shared/parameters.hpp"
 
 #include <opencv2/core/utility.hpp>
 #include <pybind11/stl.h>
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace gwatershed
 {
@@ -137,27 +139,19 @@ py::object getWatershedLineMask(Session& session, const py::object& image)
 
 py::tuple getStatistics(Session& session, const OptionalArray& image, const OptionalArray& depth,
                         const py::object& stats, const py::object& centroids, const py::object& mean_colors,
-                        const py::object& mean_depths)
+                        const py::object& mean_depths, const py::object& positions, const py::object& normals)
 {
     const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
     Mat tables[] = {takeOutput(stats, "stats"), takeOutput(centroids, "centroids"),
-                    takeOutput(mean_colors, "mean_colors"), takeOutput(mean_depths, "mean_depths")};
+                    takeOutput(mean_colors, "mean_colors"), takeOutput(mean_depths, "mean_depths"),
+                    takeOutput(positions, "positions"), takeOutput(normals, "normals")};
     session.call([&](SuperpixelGWatershed& superpixels) {
-        superpixels.getStatistics(pixels.matrix, depths.matrix, tables[0], tables[1], tables[2], tables[3]);
+        superpixels.getStatistics(pixels.matrix, depths.matrix, tables[0], tables[1], tables[2], tables[3], tables[4],
+                                  tables[5]);
     });
     return py::make_tuple(giveArray(tables[0], stats), giveArray(tables[1], centroids),
-                          giveArray(tables[2], mean_colors), giveArray(tables[3], mean_depths));
-}
-
-py::tuple getSurfaces(Session& session, const OptionalArray& depth, const py::object& positions,
-                      const py::object& normals)
-{
-    const Pixels depths = takePixels(depth, "depth");
-    Mat tables[] = {takeOutput(positions, "positions"), takeOutput(normals, "normals")};
-    session.call([&](SuperpixelGWatershed& superpixels) {
-        superpixels.getSurfaces(depths.matrix, tables[0], tables[1]);
-    });
-    return py::make_tuple(giveArray(tables[0], positions), giveArray(tables[1], normals));
+                          giveArray(tables[2], mean_colors), giveArray(tables[3], mean_depths),
+                          giveArray(tables[4], positions), giveArray(tables[5], normals));
 }
 
 py::tuple getAdjacency(Session& session, const OptionalArray& image, const OptionalArray& depth,
@@ -184,21 +178,31 @@ void setMarkers(Session& session, const OptionalArray& markers)
     session.call([&](SuperpixelGWatershed& superpixels) { superpixels.setMarkers(pixels.matrix); });
 }
 
-//! Tables of any label map; labels are below num_labels, and pixels with one below 0 do not count.
-py::tuple measure(const Array& labels, int num_labels, const OptionalArray& image, const OptionalArray& depth)
+//! Tables of any label map; labels are below num_labels, and pixels with one below 0 do not count. Without a focal length
+//! there are no positions and normals.
+py::tuple measure(const Array& labels, int num_labels, const OptionalArray& image, const OptionalArray& depth,
+                  std::optional<std::pair<float, float> > focal_length)
 {
+    namespace gws = cv::ximgproc::gws;
     const Pixels map = takePixels(labels, "labels");
     const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
-    Mat stats, centroids, mean_colors, mean_depths;
+    gws::Statistics tables;
     {
         py::gil_scoped_release released;
         CV_CheckTypeEQ(map.matrix.type(), CV_32SC1, "labels must be of the type int32");
-        const Mat values = cv::ximgproc::gws::checkValues(pixels.matrix, map.matrix.size());
-        const Mat checked_depth = cv::ximgproc::gws::checkDepth(depths.matrix, map.matrix.size());
-        cv::ximgproc::gws::measureSuperpixels(map.matrix, num_labels, values, checked_depth, stats, centroids,
-                                              mean_colors, mean_depths);
+        const cv::Size size = map.matrix.size();
+        gws::Parameters camera;
+        if (focal_length)
+            camera.setFocalLength(focal_length->first, focal_length->second);
+        gws::StatisticsInput input;
+        input.image = gws::checkValues(pixels.matrix, size);
+        input.depth = gws::checkDepth(depths.matrix, size);
+        input.with_positions = input.with_normals = focal_length.has_value();
+        input.focal = camera.focalLength(size);
+        gws::measureSuperpixels(map.matrix, num_labels, input, tables);
     }
-    return py::make_tuple(giveArray(stats), giveArray(centroids), giveArray(mean_colors), giveArray(mean_depths));
+    return py::make_tuple(giveArray(tables.stats), giveArray(tables.centroids), giveArray(tables.mean_colors),
+                          giveArray(tables.mean_depths), giveArray(tables.positions), giveArray(tables.normals));
 }
 
 void bindResults(SessionClass& to)
@@ -215,9 +219,9 @@ void bindResults(SessionClass& to)
            "A mask, uint8: 255 on the watershed lines of GWATERSHED.");
     to.def("getStatistics", getStatistics, py::arg("image"), py::arg("depth"), py::arg("stats") = none,
            py::arg("centroids") = none, py::arg("mean_colors") = none, py::arg("mean_depths") = none,
-           "Area and bounding box, centroid, mean colour and mean depth of each superpixel.");
-    to.def("getSurfaces", getSurfaces, py::arg("depth"), py::arg("positions") = none, py::arg("normals") = none,
-           "Mean point and unit normal of the surface of each superpixel.");
+           py::arg("positions") = none, py::arg("normals") = none,
+           "Area and bounding box, centroid, mean colour, mean depth, and of the surface mean point and normal, of each"
+           " superpixel.");
     to.def("getAdjacency", getAdjacency, py::arg("image"), py::arg("depth"), py::arg("pairs") = none,
            py::arg("lengths") = none, py::arg("contrasts") = none,
            "Pairs of superpixels that touch, the lengths of their boundaries, and the contrasts across them.");
@@ -307,7 +311,7 @@ PYBIND11_MODULE(_native, module)
     module.def("setNumThreads", &cv::setNumThreads, py::arg("nthreads"), "Number of threads; 1: no others.");
     module.def("getNumThreads", &cv::getNumThreads, "Number of threads.");
     module.def("_measure", measure, py::arg("labels"), py::arg("num_labels"), py::arg("image"), py::arg("depth"),
-               "Statistics of any label map; see gwatershed.superpixels.");
+               py::arg("focal_length") = py::none(), "Statistics of any label map; see gwatershed.superpixels.");
 }
 
 } // namespace gwatershed

@@ -7,7 +7,6 @@
 #include "results/contours.hpp"
 #include "results/merge_small.hpp"
 #include "results/statistics.hpp"
-#include "results/surface_fits.hpp"
 #include "segmenter.hpp"
 #include "shared/in_use.hpp"
 
@@ -146,42 +145,37 @@ public:
     }
 
     void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
-                       OutputArray mean_colors, OutputArray mean_depths) const CV_OVERRIDE
+                       OutputArray mean_colors, OutputArray mean_depths, OutputArray positions,
+                       OutputArray normals) const CV_OVERRIDE
     {
         const gws::Reading use(in_use_);
         checkSegmented();
-        const Mat values = gws::checkValues(image, result_.labels.size());
-        const Mat depths = gws::checkDepth(depth, result_.labels.size());
+        const Size size = result_.labels.size();
+        const Mat values = gws::checkValues(image, size), depths = gws::checkDepth(depth, size);
         checkTable(stats, CV_32SC1, false, "stats");
         checkTable(centroids, CV_64FC1, false, "centroids");
         checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
         checkTable(mean_depths, CV_32FC1, true, "mean_depths");
-        guardMemory([&]()
-        {
-            Mat tables[4];
-            gws::measureSuperpixels(result_.labels, result_.number, values, depths, tables[0], tables[1], tables[2],
-                                    tables[3]);
-            give(tables[0], stats);
-            give(tables[1], centroids);
-            give(tables[2], mean_colors);
-            give(tables[3], mean_depths);
-        });
-    }
-
-    void getSurfaces(InputArray depth, OutputArray positions, OutputArray normals) const CV_OVERRIDE
-    {
-        const gws::Reading use(in_use_);
-        checkSegmented();
-        const Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(positions, CV_32FC1, false, "positions");
         checkTable(normals, CV_32FC1, false, "normals");
+        gws::StatisticsInput input;
+        input.image = mean_colors.needed() ? values : Mat();
+        input.with_mean_depths = mean_depths.needed();
+        input.with_positions = positions.needed();
+        input.with_normals = normals.needed();
+        const bool with_depth = input.with_mean_depths || input.with_positions || input.with_normals;
+        input.depth = with_depth ? depths : Mat();
+        input.focal = result_.parameters.focalLength(size);
         guardMemory([&]()
         {
-            Mat tables[2];
-            gws::measureSurfaces(result_.labels, result_.number, depths,
-                                 result_.parameters.focalLength(result_.labels.size()), tables[0], tables[1]);
-            give(tables[0], positions);
-            give(tables[1], normals);
+            gws::Statistics tables;
+            gws::measureSuperpixels(result_.labels, result_.number, input, tables);
+            give(tables.stats, stats);
+            give(tables.centroids, centroids);
+            give(tables.mean_colors, mean_colors);
+            give(tables.mean_depths, mean_depths);
+            give(tables.positions, positions);
+            give(tables.normals, normals);
         });
     }
 

@@ -246,7 +246,7 @@ TEST_P(ximgproc_GWatershed_faults, a_mask_or_markers_are_set_or_not)
     }
 }
 
-enum { NUM_ANSWERS = 10 };
+enum { NUM_ANSWERS = 12 };
 
 //! All that can be asked of a segmentation.
 void askAll(const SuperpixelGWatershed& gws, const Stream& stream, Mat* out)
@@ -254,8 +254,8 @@ void askAll(const SuperpixelGWatershed& gws, const Stream& stream, Mat* out)
     gws.getLabels(out[0]);
     gws.getLabelContourMask(out[1]);
     gws.getWatershedLineMask(out[2]);
-    gws.getStatistics(stream.images[0], stream.depths[0], out[3], out[4], out[5], out[6]);
-    gws.getAdjacency(stream.images[0], stream.depths[0], out[7], out[8], out[9]);
+    gws.getStatistics(stream.images[0], stream.depths[0], out[3], out[4], out[5], out[6], out[7], out[8]);
+    gws.getAdjacency(stream.images[0], stream.depths[0], out[9], out[10], out[11]);
 }
 
 TEST_P(ximgproc_GWatershed_faults, questions_change_nothing)

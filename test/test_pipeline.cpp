@@ -96,7 +96,7 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_are_the_same_for_any_number_of_t
 {
     RNG& rng = theRNG();
     const Mat image = makeScene(Size(320, 240), rng);
-    Mat values(image.size(), CV_32FC3), depth(image.size(), CV_32FC1), expected[4];
+    Mat values(image.size(), CV_32FC3), depth(image.size(), CV_32FC1), expected[6];
     rng.fill(values, RNG::NORMAL, Scalar::all(0), Scalar::all(1));
     rng.fill(depth, RNG::UNIFORM, Scalar::all(0.5), Scalar::all(8));
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 12);
@@ -104,9 +104,9 @@ TEST_P(ximgproc_GWatershed_pipeline, statistics_are_the_same_for_any_number_of_t
     for (int threads = 1; threads <= 8; threads++)
     {
         ThreadsGuard guard(threads);
-        Mat tables[4];
-        gws->getStatistics(values, depth, tables[0], tables[1], tables[2], tables[3]);
-        for (int i = 0; i < 4; i++)
+        Mat tables[6];
+        gws->getStatistics(values, depth, tables[0], tables[1], tables[2], tables[3], tables[4], tables[5]);
+        for (int i = 0; i < 6; i++)
         {
             if (threads == 1)
                 expected[i] = tables[i].clone();

@@ -256,6 +256,11 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_what_cannot_hold_a_result_before_any
                           "mean_colors must be"));
     EXPECT_TRUE(isRefused([&] { gws->getStatistics(image, depth, tables[0], tables[1], tables[2], bytes); },
                           "mean_depths must be"));
+    EXPECT_TRUE(isRefused([&] { gws->getStatistics(image, depth, tables[0], tables[1], tables[2], tables[3], bytes); },
+                          "positions must be"));
+    const auto toLabels = [&] { gws->getStatistics(image, depth, tables[0], tables[1], noArray(), noArray(), tables[2],
+                                                   labels); };
+    EXPECT_TRUE(isRefused(toLabels, "normals must be"));
     EXPECT_TRUE(isRefused([&] { gws->getAdjacency(image, depth, bytes, tables[1], tables[2]); }, "pairs must be"));
     EXPECT_TRUE(isRefused([&] { gws->getAdjacency(image, depth, tables[0], bytes, tables[2]); }, "lengths must be"));
     EXPECT_TRUE(isRefused([&] { gws->getAdjacency(image, depth, tables[0], tables[1], bytes); }, "contrasts must be"));

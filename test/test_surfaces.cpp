@@ -178,24 +178,135 @@ TEST(ximgproc_GWatershed_surfaces, adaptive_superpixels_have_more_even_areas_on_
     EXPECT_LT(deviation[1], 0.6 * deviation[0]);
 }
 
-TEST(ximgproc_GWatershed_surfaces, are_measured)
+//! Positions and normals of getStatistics().
+struct Surfaces
+{
+    Surfaces(const Ptr<SuperpixelGWatershed>& gws, const Mat& depth)
+    {
+        gws->getStatistics(noArray(), depth, noArray(), noArray(), noArray(), noArray(), positions, normals);
+    }
+
+    Mat positions, normals;
+};
+
+static int countNumbers(const Mat& table) { return countNonZero(table == table); } // NaN differs from itself
+
+TEST(ximgproc_GWatershed_surfaces, are_measured_on_a_plane)
 {
     const Mat depth = makePlane(1500, 0.5, -0.25);
-    Ptr<SuperpixelGWatershed> gws = segment(gray(), depth, 50);
-    Mat positions, normals;
-    gws->getSurfaces(depth, positions, normals);
-    ASSERT_EQ(Size(3, 50), positions.size());
-    ASSERT_EQ(Size(3, 50), normals.size());
+    const Surfaces surfaces(segment(gray(), depth, 50), depth);
+    ASSERT_EQ(Size(3, 50), surfaces.positions.size());
+    ASSERT_EQ(Size(3, 50), surfaces.normals.size());
+    ASSERT_EQ(CV_32FC1, surfaces.positions.type());
+    ASSERT_EQ(CV_32FC1, surfaces.normals.type());
     const Vec3f normal = normalize(Vec3f(0.5f, -0.25f, -1.f));
     for (int i = 0; i < 50; i++)
     {
-        const Vec3f p = *positions.ptr<Vec3f>(i);
+        const Vec3f p = *surfaces.positions.ptr<Vec3f>(i);
         EXPECT_NEAR(1500 + 0.5 * p[0] - 0.25 * p[1], p[2], 1);
-        EXPECT_LT(cv::norm(normal - *normals.ptr<Vec3f>(i)), 1e-3);
+        EXPECT_LT(cv::norm(normal - *surfaces.normals.ptr<Vec3f>(i)), 1e-3);
     }
-    gws->getSurfaces(Mat::zeros(SIZE, CV_16UC1), positions, normals);
-    EXPECT_EQ(0, countNonZero(positions == positions)); // all NaN
-    EXPECT_EQ(0, countNonZero(normals == normals));
+}
+
+TEST(ximgproc_GWatershed_surfaces, positions_are_means_of_points)
+{
+    const Point2f focal(250, 310);
+    const Mat depth = makeDepth(SIZE, 0.3, theRNG());
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 300);
+    gws->setFocalLength(focal.x, focal.y);
+    gws->iterate(gray(), depth);
+    gws->setFocalLength(1000); // for the next iterate() only
+    Mat mean_depths, positions, normals;
+    gws->getStatistics(noArray(), depth, noArray(), noArray(), noArray(), mean_depths, positions, normals);
+    const Mat labels = labelsOf(gws);
+    std::vector<Vec3d> sums(300);
+    std::vector<int> counts(300, 0);
+    for (int y = 0; y < SIZE.height; y++)
+        for (int x = 0; x < SIZE.width; x++)
+            if (const int z = depth.at<ushort>(y, x))
+            {
+                const Vec3d ray((x - 0.5 * (SIZE.width - 1)) / focal.x, (y - 0.5 * (SIZE.height - 1)) / focal.y, 1);
+                sums[labels.at<int>(y, x)] += z * ray;
+                counts[labels.at<int>(y, x)]++;
+            }
+    for (int i = 0; i < 300; i++)
+    {
+        const Vec3f position = *positions.ptr<Vec3f>(i), normal = *normals.ptr<Vec3f>(i);
+        EXPECT_EQ(counts[i] == 0, cvIsNaN(position[0]) != 0);
+        if (counts[i] == 0)
+            continue;
+        EXPECT_LT(cv::norm(Vec3d(position) - sums[i] / counts[i]), 1e-4 * position[2]);
+        EXPECT_EQ(mean_depths.at<float>(i), position[2]);
+        if (cvIsNaN(normal[0]))
+            continue;
+        EXPECT_NEAR(1, cv::norm(normal), 1e-5);
+        EXPECT_LT(normal.dot(position), 0); // towards the camera
+    }
+}
+
+TEST(ximgproc_GWatershed_surfaces, usual_focal_length_is_that_of_the_image_for_a_mask_too)
+{
+    const Mat depth(SIZE, CV_16UC1, Scalar(800));
+    Mat mask = Mat::zeros(SIZE, CV_8UC1);
+    mask(Rect(0, 0, 61, 41)).setTo(Scalar(255));
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 1);
+    gws->setMask(mask);
+    gws->iterate(gray(), depth);
+    const Vec3f position = *Surfaces(gws, depth).positions.ptr<Vec3f>();
+    const double focal = 0.8 * SIZE.width;
+    EXPECT_NEAR(800 * (30 - 0.5 * (SIZE.width - 1)) / focal, position[0], 1e-3);
+    EXPECT_NEAR(800 * (20 - 0.5 * (SIZE.height - 1)) / focal, position[1], 1e-3);
+    EXPECT_EQ(800, position[2]);
+}
+
+TEST(ximgproc_GWatershed_surfaces, have_no_normal_where_depth_is_on_one_line)
+{
+    const Mat plane = makePlane(1500, 0.5, -0.25);
+    const Rect lines[] = { Rect(7, 0, 1, SIZE.height), Rect(0, 13, SIZE.width, 1) };
+    for (int i = 0; i < 3; i++)
+    {
+        Mat depth = Mat::zeros(SIZE, CV_32FC1);
+        if (i < 2)
+            plane(lines[i]).copyTo(depth(lines[i]));
+        else
+            for (int y = 0; y < SIZE.height; y++)
+                depth.at<float>(y, y + 3) = plane.at<float>(y, y + 3);
+        const Surfaces surfaces(segment(gray(), depth, 1), depth);
+        EXPECT_EQ(3, countNumbers(surfaces.positions)) << i;
+        EXPECT_EQ(0, countNumbers(surfaces.normals)) << i;
+    }
+}
+
+TEST(ximgproc_GWatershed_surfaces, are_not_a_number_where_depth_is_missing_and_none_without_depth)
+{
+    const Ptr<SuperpixelGWatershed> gws = segment(gray(), makePlane(1500, 0, 0), 50);
+    const Surfaces missing(gws, Mat::zeros(SIZE, CV_16UC1)), none(gws, Mat());
+    EXPECT_EQ(Size(3, 50), missing.positions.size());
+    EXPECT_EQ(Size(3, 50), missing.normals.size());
+    EXPECT_EQ(0, countNumbers(missing.positions) + countNumbers(missing.normals));
+    EXPECT_EQ(Size(3, 0), none.positions.size());
+    EXPECT_EQ(Size(3, 0), none.normals.size());
+}
+
+static bool equalBytes(const Mat& a, const Mat& b)
+{
+    return a.size() == b.size() && a.type() == b.type() && std::equal(a.datastart, a.dataend, b.datastart);
+}
+
+TEST(ximgproc_GWatershed_surfaces, each_table_is_the_same_alone)
+{
+    const Mat image = makeScene(SIZE, theRNG()), depth = makeDepth(SIZE, 0.3, theRNG());
+    const Ptr<SuperpixelGWatershed> gws = segment(image, depth, 300);
+    Mat together[6];
+    gws->getStatistics(image, depth, together[0], together[1], together[2], together[3], together[4], together[5]);
+    for (int i = 0; i < 6; i++)
+    {
+        Mat alone;
+        std::vector<_OutputArray> outputs(6);
+        outputs[i] = _OutputArray(alone);
+        gws->getStatistics(image, depth, outputs[0], outputs[1], outputs[2], outputs[3], outputs[4], outputs[5]);
+        EXPECT_TRUE(equalBytes(together[i], alone)) << i;
+    }
 }
 
 }} // namespace

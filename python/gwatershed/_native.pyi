@@ -54,13 +54,9 @@ class SuperpixelGWatershed:
         centroids: Optional[_Array] = ...,
         mean_colors: Optional[_Array] = ...,
         mean_depths: Optional[_Array] = ...,
-    ) -> Tuple[Any, Any, Any, Any]: ...
-    def getSurfaces(
-        self,
-        depth: Optional[_Array],
         positions: Optional[_Array] = ...,
         normals: Optional[_Array] = ...,
-    ) -> Tuple[Any, Any]: ...
+    ) -> Tuple[Any, Any, Any, Any, Any, Any]: ...
     def getAdjacency(
         self,
         image: Optional[_Array],
@@ -132,5 +128,9 @@ def createSuperpixelGWatershed(
 def setNumThreads(nthreads: int) -> None: ...
 def getNumThreads() -> int: ...
 def _measure(
-    labels: NDArray[np.int32], num_labels: int, image: Optional[_Array], depth: Optional[_Array]
-) -> Tuple[Any, Any, Any, Any]: ...
+    labels: NDArray[np.int32],
+    num_labels: int,
+    image: Optional[_Array],
+    depth: Optional[_Array],
+    focal_length: Optional[Tuple[float, float]] = ...,
+) -> Tuple[Any, Any, Any, Any, Any, Any]: ...

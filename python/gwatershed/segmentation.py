@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """Functions in the manner of scikit-image: an image in, labels out."""
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
     start_label: label of the first superpixel. regionprops() of scikit-image needs 1.
     bgr: whether three channels are BGR, as cv2.imread() gives them.
     parameters: others of SuperpixelGWatershed, as ruler=10, alpha=0.5, lab_input=False, value_range=(0, 4095),
-        depth_range=(0.4, 4).
+        depth_range=(0.4, 4), focal_length=(525, 525).
     """
     if region_size is not None and num_superpixels is not None:
         raise ValueError("give region_size or num_superpixels, not both")
@@ -44,23 +44,30 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
     return labels
 
 
-def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_label: int = 0) -> Any:
+def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_label: int = 0,
+                focal_length: Optional[Tuple[float, float]] = None) -> Any:
     """Measures the superpixels of a label map in one pass, into a structured array: a row for each label that occurs.
 
     labels: integers; pixels below start_label are outside.
     image: image of that size, of any number of channels, for mean_color.
-    depth: depth of that size, for mean_depth.
+    depth: depth of that size, for mean_depth; metric, for position and normal.
+    focal_length: (fx, fy) of the depth camera in pixels, for position and normal. fy 0 is fx; both 0 are 0.8 of the
+        longer side of the image, which is near to that of usual sensors.
 
     Fields: label, area, bbox (min_row, min_col, max_row, max_col; half open, as of regionprops()), centroid (row, col),
-    mean_color, in the order of the channels of image, and mean_depth, NaN where no depth is valid.
+    mean_color, in the order of the channels of image, and mean_depth, NaN where no depth is valid. With depth and
+    focal_length also position, the mean point in space (x to the right, y down, z forward from the camera, in the unit
+    of depth), and normal (x, y, z, of length 1, towards the camera), NaN where there is nothing to take them from.
     """
     labels = np.asarray(labels)
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
-    stats, centroids, mean_colors, mean_depths = _measure(numbers, len(names), _optional(image), _optional(depth))
+    stats, centroids, mean_colors, mean_depths, positions, normals = _measure(
+        numbers, len(names), _optional(image), _optional(depth), focal_length)
     channels = () if mean_colors is None else (mean_colors.shape[1],)
-    table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None))
+    with_surface = depth is not None and focal_length is not None
+    table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None, with_surface))
     if len(names) == 0:
         return table
     table["label"] = names
@@ -72,15 +79,20 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
         table["mean_color"] = mean_colors
     if depth is not None:
         table["mean_depth"] = mean_depths[:, 0]
+    if with_surface:
+        table["position"] = positions
+        table["normal"] = normals
     return table[table["area"] > 0]
 
 
-def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool) -> Any:
+def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool, with_surface: bool) -> Any:
     fields: Any = [("label", label_type), ("area", np.int32), ("bbox", np.int32, (4,)), ("centroid", np.float64, (2,))]
     if with_color:
         fields.append(("mean_color", np.float32, channels))
     if with_depth:
         fields.append(("mean_depth", np.float32))
+    if with_surface:
+        fields += [("position", np.float32, (3,)), ("normal", np.float32, (3,))]
     return fields
 
 

@@ -321,6 +321,38 @@ class FunctionsTest(unittest.TestCase):
             valid = depth[y, x][np.isfinite(depth[y, x])]
             np.testing.assert_allclose(row["mean_depth"], valid.mean() if len(valid) else np.nan, rtol=1e-6)
 
+    def test_superpixels_on_a_slanted_plane(self):
+        y, x = np.mgrid[0:60, 0:80]
+        focal_length = (70, 50)
+        ray_x, ray_y = (x - 39.5) / 70, (y - 29.5) / 50
+        depth = 2 / (1 - 0.4 * ray_x + 0.3 * ray_y)  # z = 2 + 0.4 x - 0.3 y
+        points = np.stack([ray_x * depth, ray_y * depth, depth], axis=-1)
+        depth[:20, :20] = np.nan
+        labels = gwatershed.segment(np.zeros((60, 80), np.uint8), 10, depth=depth, focal_length=focal_length)
+        labels[0, 0] = labels.max() + 1
+        table = gwatershed.superpixels(labels, None, depth, focal_length=focal_length)
+        self.assertEqual(table.dtype.names[-3:], ("mean_depth", "position", "normal"))
+        for row in table[:-1]:
+            inside = (labels == row["label"]) & np.isfinite(depth)
+            if inside.any(axis=0).sum() > 1 and inside.any(axis=1).sum() > 1:
+                np.testing.assert_allclose(row["position"], points[inside].mean(axis=0), rtol=1e-5, atol=1e-6)
+                np.testing.assert_allclose(row["normal"], np.array([0.4, -0.3, -1]) / np.sqrt(1.25), atol=1e-4)
+        self.assertTrue(np.isnan(table[-1]["position"]).all() and np.isnan(table[-1]["normal"]).all())
+        gws = gwatershed.SuperpixelGWatershed(focal_length=focal_length, region_size=10)
+        gws.iterate(np.zeros((60, 80), np.uint8), depth)
+        of_class = gwatershed.superpixels(gws.getLabels(), None, depth, focal_length=focal_length)
+        for field, expected in zip(("position", "normal"), gws.getStatistics(None, depth)[4:]):
+            np.testing.assert_array_equal(of_class[field], expected)
+
+    def test_superpixels_and_focal_length(self):
+        labels, depth = np.arange(6, dtype=np.int32).reshape(2, 3), np.ones((2, 3), np.float32)
+        self.assertEqual(gwatershed.superpixels(labels, focal_length=(5, 5)).dtype.names[-1], "centroid")
+        usual = gwatershed.superpixels(labels, None, depth, focal_length=(0, 0))
+        np.testing.assert_allclose(usual["position"][0], [-1 / 2.4, -0.5 / 2.4, 1], rtol=1e-6)
+        nothing = gwatershed.superpixels(labels, None, depth, focal_length=(5, 0), start_label=6)
+        self.assertEqual((len(nothing), nothing.dtype.names[-1]), (0, "normal"))
+        self.assertRaises(ValueError, gwatershed.superpixels, labels, None, depth, focal_length=(-1, 0))
+
     def test_superpixels_of_any_labels(self):
         labels = np.array([[0, 0, 7, 7], [-1, 5, 5, 7]])
         for kind in (np.int8, np.int64, np.int32):

@@ -9,10 +9,22 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Area, bounding box and centroid of each superpixel, and its mean colour and mean depth if image and depth are not
-//! empty. The tables are those of SuperpixelGWatershed::getStatistics().
-void measureSuperpixels(const Mat& labels, int num_labels, const Mat& image, const Mat& depth, Mat& stats,
-                        Mat& centroids, Mat& mean_colors, Mat& mean_depths);
+//! What superpixels are measured by beside their labels, and what for. There are always areas, boxes and centroids.
+struct StatisticsInput
+{
+    Mat image; //!< for mean colours; empty: there are none
+    Mat depth; //!< empty: there is nothing of what follows
+    bool with_mean_depths = true, with_positions = true, with_normals = true;
+    Point2f focal = Point2f(1, 1); //!< in pixels; the optical axis meets the middle of the image
+};
+
+//! The tables of SuperpixelGWatershed::getStatistics(). Those that were not asked for have no rows.
+struct Statistics
+{
+    Mat stats, centroids, mean_colors, mean_depths, positions, normals;
+};
+
+void measureSuperpixels(const Mat& labels, int num_labels, const StatisticsInput& input, Statistics& tables);
 
 }}} // namespace
 

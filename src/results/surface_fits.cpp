@@ -7,73 +7,92 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-namespace {
-
-//! Sums over the pixels with depth of one superpixel. Places are relative to the optical axis, in focal lengths, so
-//! that the inverse depth w of a plane with normal n is proportional to n (x, y, 1).
-struct Fit
+void MeanPoint::add(const DepthRun& run)
 {
-    double area, x, y, xx, xy, yy, w, xw, yw, xz, yz, z;
-
-    void add(double px, double py, double depth)
+    double area = area_, xz = xz_, yz = yz_, z = z_;
+    for (int i = 0; i < run.length; i++)
     {
-        const double inverse = 1 / depth;
-        area += 1;
-        x += px;
-        y += py;
-        xx += px * px;
-        xy += px * py;
-        yy += py * py;
-        w += inverse;
-        xw += px * inverse;
-        yw += py * inverse;
-        xz += px * depth;
-        yz += py * depth;
+        const double depth = run.depths[i];
+        if (!isValidDepth(depth))
+            continue;
+        area++;
+        xz += (run.x + i) * depth;
+        yz += run.y * depth;
         z += depth;
     }
+    area_ = area;
+    xz_ = xz;
+    yz_ = yz;
+    z_ = z;
+}
 
-    Vec3f position() const { return Vec3f(float(xz / area), float(yz / area), float(z / area)); }
-
-    //! By least squares. The part of the product of variances that is left beside the covariance tells whether the
-    //! places are on one line.
-    Vec3f normal() const
-    {
-        const double LINE = 1e-6;
-        const double cxx = xx - x * x / area, cxy = xy - x * y / area, cyy = yy - y * y / area;
-        const double cxw = xw - x * w / area, cyw = yw - y * w / area, determinant = cxx * cyy - cxy * cxy;
-        if (!(determinant > LINE * cxx * cyy))
-            return Vec3f::all(std::numeric_limits<float>::quiet_NaN());
-        const double a = (cxw * cyy - cyw * cxy) / determinant, b = (cyw * cxx - cxw * cxy) / determinant;
-        const Vec3d away(a, b, (w - a * x - b * y) / area);
-        return Vec3f(-away / norm(away));
-    }
-};
-
-} // namespace
-
-void measureSurfaces(const Mat& labels, int num_labels, const Mat& depth, Point2f focal, Mat& positions, Mat& normals)
+void MeanPoint::add(const MeanPoint& other)
 {
-    CV_TRACE_FUNCTION();
-    std::vector<Fit> fits(num_labels, Fit());
-    const Point2d center(0.5 * (labels.cols - 1), 0.5 * (labels.rows - 1));
-    std::vector<double> depths(labels.cols);
-    for (int y = 0; y < depth.rows; y++)
+    area_ += other.area_;
+    xz_ += other.xz_;
+    yz_ += other.yz_;
+    z_ += other.z_;
+}
+
+Vec3f MeanPoint::position(Point2f focal) const
+{
+    if (area_ == 0)
+        return Vec3f::all(std::numeric_limits<float>::quiet_NaN());
+    return Vec3f(float(xz_ / area_ / focal.x), float(yz_ / area_ / focal.y), float(z_ / area_));
+}
+
+void PlaneFit::add(const DepthRun& run)
+{
+    double area = 0, x = 0, xx = 0, w = 0, xw = 0;
+    for (int i = 0; i < run.length; i++)
     {
-        readDepths(depth.row(y), depths.data());
-        for (int x = 0; x < labels.cols; x++)
-        {
-            const int label = labels.at<int>(y, x);
-            if (label >= 0 && isValidDepth(depths[x]))
-                fits[label].add((x - center.x) / focal.x, (y - center.y) / focal.y, depths[x]);
-        }
+        if (!isValidDepth(run.depths[i]))
+            continue;
+        const double place = run.x + i, inverse = 1 / run.depths[i];
+        area++;
+        x += place;
+        xx += place * place;
+        w += inverse;
+        xw += place * inverse;
     }
-    positions.create(num_labels, 3, CV_32FC1);
-    normals.create(num_labels, 3, CV_32FC1);
-    for (int i = 0; i < num_labels; i++)
-    {
-        *positions.ptr<Vec3f>(i) = fits[i].position(); // 0 / 0 is NaN
-        *normals.ptr<Vec3f>(i) = fits[i].normal();
-    }
+    area_ += area;
+    x_ += x;
+    y_ += run.y * area;
+    xx_ += xx;
+    xy_ += run.y * x;
+    yy_ += run.y * run.y * area;
+    w_ += w;
+    xw_ += xw;
+    yw_ += run.y * w;
+}
+
+void PlaneFit::add(const PlaneFit& other)
+{
+    area_ += other.area_;
+    x_ += other.x_;
+    y_ += other.y_;
+    xx_ += other.xx_;
+    xy_ += other.xy_;
+    yy_ += other.yy_;
+    w_ += other.w_;
+    xw_ += other.xw_;
+    yw_ += other.yw_;
+}
+
+//! By least squares. The part of the product of variances that is left beside the covariance tells whether the places
+//! are on one line. It is exactly 0 on a row or column, whose mean place is exact.
+Vec3f PlaneFit::normal(Point2f focal) const
+{
+    const double LINE = 1e-6;
+    const double mean_x = x_ / area_, mean_y = y_ / area_;
+    const double cxx = xx_ - x_ * mean_x, cxy = xy_ - x_ * mean_y, cyy = yy_ - y_ * mean_y;
+    const double cxw = xw_ - w_ * mean_x, cyw = yw_ - w_ * mean_y, determinant = cxx * cyy - cxy * cxy;
+    if (!(determinant > LINE * cxx * cyy)) // NaN where there is no depth
+        return Vec3f::all(std::numeric_limits<float>::quiet_NaN());
+    const double slope_x = (cxw * cyy - cyw * cxy) / determinant, slope_y = (cyw * cxx - cxw * cxy) / determinant;
+    // In focal lengths, the inverse depth of a plane with normal n is proportional to n (x, y, 1).
+    const Vec3d away(slope_x * focal.x, slope_y * focal.y, w_ / area_ - slope_x * mean_x - slope_y * mean_y);
+    return Vec3f(-away / norm(away));
 }
 
 }}} // namespace

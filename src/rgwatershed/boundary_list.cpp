@@ -47,7 +47,8 @@ template <typename Find> void BoundaryList::addRow(int cols, int first, int step
     }
     for (int c = 0; c < NUM_CLASSES; c++)
     {
-        std::fill_n(next[c], int(NUM_BEHIND), first);
+        const int last = next[c] == pixels_[c].data() ? first : next[c][-1];
+        std::fill_n(next[c], int(NUM_BEHIND), last);
         ends_[c].push_back(int(next[c] - pixels_[c].data()));
     }
 }

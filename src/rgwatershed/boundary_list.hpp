@@ -22,7 +22,7 @@ enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its 
 class BoundaryList
 {
 public:
-    enum { NUM_BEHIND = 3 }; //!< as many more pixels can be read behind a part, so that all can be taken four at a time
+    enum { NUM_BEHIND = 3 }; //!< as many more can be read behind a part, its last pixel again: four are taken at a time
 
     //! Pixels by their index.
     struct Part

@@ -61,8 +61,8 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
     const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
     const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
-    const v_uint8x16 means = v_pack(quarter(ha.low, hb.low, hc.low, hd.low),
-                                    quarter(ha.high, hb.high, hc.high, hd.high));
+    const v_uint8x16 means = v_pack_u(v_reinterpret_as_s16(quarter(ha.low, hb.low, hc.low, hd.low)),
+                                      v_reinterpret_as_s16(quarter(ha.high, hb.high, hc.high, hd.high)));
     if (!with_depth)
         return v_store(to->color, means);
     const v_uint32x4 depth = v_reinterpret_as_u32(meanDepth(depthOf(a), depthOf(b), depthOf(c), depthOf(d)));

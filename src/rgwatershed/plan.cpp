@@ -65,7 +65,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     blocks = masked ? masks.blocks(top) : levels.sizeOf(top, frame.color.size()).area();
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(top), masks.components(top))
                              : frame.num_superpixels;
-    markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, effort);
+    markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, side * side, effort);
     sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
     depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
     merge_rules.on_surface = depth_adaptive;

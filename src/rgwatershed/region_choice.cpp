@@ -25,9 +25,16 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-//! Squared distances of pixels to the regions of some neighbours, of which a mask gives the offset.
-template <RegionChoice::Content CONTENT, typename Offset>
-void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const
+//! The region of the neighbour that a mask gives the offset of; any one if there is none.
+int RegionChoice::neighborOf(int pixel, const int* offsets) const
+{
+    const int label = labels_[pixel + offsets[masks_[pixel]]];
+    return label & ~(label >> 31);
+}
+
+//! Squared distances of pixels to some regions.
+template <RegionChoice::Content CONTENT, typename RegionOf>
+void RegionChoice::measure(const int* pixels, int n, int y, const RegionOf& regionOf, int* squares) const
 {
     const Normal* row_normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
     const int first = map_.index(Point(0, y));
@@ -41,8 +48,7 @@ void RegionChoice::measure(const int* pixels, int n, int y, const Offset& offset
         {
             // What is behind the last pixel may be of another row, and has no normal in this one.
             const int pixel = pixels[CONTENT == SURFACE ? std::min(i + k, n - 1) : i + k];
-            const int label = labels_[pixel + offset(masks_[pixel])];
-            const int region = label & ~(label >> 31);
+            const int region = regionOf(pixel);
             features[k] = features_ + pixel;
             means[k] = means_ + region;
             if (CONTENT >= PLANE)
@@ -72,7 +78,7 @@ int RegionChoice::squaredDistance(int pixel, int y, int region) const
 template <RegionChoice::Content CONTENT>
 void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
-    measure<CONTENT>(pixels, n, y, [](int) { return 0; }, open.first);
+    measure<CONTENT>(pixels, n, y, [&](int pixel) { return labels_[pixel]; }, open.first);
     int count = 0;
     for (int i = 0; i < n; i++)
     {
@@ -83,7 +89,7 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
     }
 
     std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<CONTENT>(open.indices, count, y, [&](int mask) { return first_offsets_[mask]; }, open.first);
+    measure<CONTENT>(open.indices, count, y, [&](int pixel) { return neighborOf(pixel, first_offsets_); }, open.first);
     n = count;
     count = 0;
     for (int i = 0; i < n; i++)
@@ -97,7 +103,7 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
     }
 
     std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<CONTENT>(open.indices, count, y, [&](int mask) { return last_offsets_[mask]; }, open.last);
+    measure<CONTENT>(open.indices, count, y, [&](int pixel) { return neighborOf(pixel, last_offsets_); }, open.last);
     open.count = 0;
     for (int i = 0; i < count; i++)
     {

@@ -54,8 +54,10 @@ private:
     enum Content { COLOR, DEPTH, PLANE, SURFACE };
 
     template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
-    template <Content CONTENT, typename Offset>
-    void measure(const int* pixels, int n, int y, const Offset& offset, int* squares) const;
+    template <Content CONTENT, typename RegionOf>
+    void measure(const int* pixels, int n, int y, const RegionOf& regionOf, int* squares) const;
+
+    int neighborOf(int pixel, const int* offsets) const;
 
     int squaredDistance(int pixel, int y, int region) const;
 

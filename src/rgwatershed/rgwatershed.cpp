@@ -88,11 +88,13 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     return markers_in_cell;
 }
 
-//! Step 4. Merging to the number asked for leaves regions that are small where the image varies, and large where it
-//! does not.
+//! Step 4, if there are more regions than asked for. Merging leaves regions that are small where the image varies, and
+//! large where it does not.
 void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
 {
     CV_TRACE_FUNCTION();
+    if (regions_.size() <= plan.num_regions)
+        return;
     MergeRules rules = plan.merge_rules;
     rules.in_cell = markers_in_cell;
     const FeatureMap& features = features_[plan.levels.top];

@@ -15,8 +15,8 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
-static const double MARKERS_WITH_BUFFERS = 0.05; // for each pixel; with more of them, below 9x9 pixels, buffers of
-                                               // merging would be most of the memory, and are not kept
+static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
+                                               // effort, buffers of merging would be most of the memory: not kept
 enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
@@ -52,16 +52,17 @@ struct EffortRules
 {
     double blocks_for_side, most_blocks; //!< for each superpixel at least so many, by its side in pixels, up to a limit
     int markers;                 //!< for each superpixel, at most
+    double pixels_for_marker;    //!< no more markers than one for so many pixels, but one for each superpixel
     double price_before_merging; //!< of boundary
     double regions_on_pixels;    //!< for each superpixel: so many are settled to the pixels, and merged there
 };
 
 inline const EffortRules& effortRules(int effort)
 {
-    static const EffortRules RULES[] = { { 0.6, 12, 2, 0.5, 1 },
-                                         { 1, 12, 4, 0.5, 1 },
-                                         { 2.4, 45, 8, 10, 1 },
-                                         { 2.4, 45, 10, 10, 3 } };
+    static const EffortRules RULES[] = { { 0.6, 12, 2, 18, 0.5, 1 },
+                                         { 0.88, 12, 4, 18, 0.5, 1 },
+                                         { 2.4, 45, 8, 3, 10, 1 },
+                                         { 2.4, 45, 10, 3, 10, 3 } };
     return RULES[effort];
 }
 
@@ -106,12 +107,15 @@ inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, con
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
-inline int markersPerSuperpixel(double blocks_per_superpixel, const EffortRules& effort)
+//! The smallest superpixels, below 6x6 pixels, are what the flood makes of one marker: merging would take most of the
+//! time, and they follow the image as they are.
+inline int markersPerSuperpixel(double blocks_per_superpixel, double pixels_per_superpixel, const EffortRules& effort)
 {
     const int BLOCKS_FOR_MARKER = 5;
     const int wanted = blocks_per_superpixel < 8 ? 2 : blocks_per_superpixel < 12 ? 3
                      : std::max(4, int(std::min(blocks_per_superpixel / BLOCKS_FOR_MARKER, 1e6)));
-    const int markers = std::min(wanted, effort.markers);
+    const int most = int(std::max(std::min(pixels_per_superpixel / effort.pixels_for_marker, 1e6), 1.));
+    const int markers = std::min(std::min(wanted, most), effort.markers);
     return markers == 5 || markers == 7 ? markers - 1 : markers; // parts of a cell would be strips
 }
 

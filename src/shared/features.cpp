@@ -16,6 +16,12 @@ struct Halves
     v_uint16x8 low, high;
 };
 
+//! Of numbers up to 255, which need no saturation.
+static inline v_uint8x16 packBytes(const v_uint16x8& low, const v_uint16x8& high)
+{
+    return v_pack_u(v_reinterpret_as_s16(low), v_reinterpret_as_s16(high));
+}
+
 //! The opponent space: lightness (R + 2G + B) / 4, and the differences of red against green and
 //! of yellow against blue, halved and shifted to 0..255.
 //! @note As good as CIELAB for superpixels (measured, doc/log.md), and only a few additions.
@@ -34,9 +40,9 @@ static inline void convertFromBGR(v_uint8x16& b, v_uint8x16& g, v_uint8x16& r)
     v_uint16x8 low[3], high[3];
     convertFromBGR(blue.low, green.low, red.low, low);
     convertFromBGR(blue.high, green.high, red.high, high);
-    b = v_pack(low[0], high[0]);
-    g = v_pack(low[1], high[1]);
-    r = v_pack(low[2], high[2]);
+    b = packBytes(low[0], high[0]);
+    g = packBytes(low[1], high[1]);
+    r = packBytes(low[2], high[2]);
 }
 
 //! 16 pixels at once.

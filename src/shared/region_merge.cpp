@@ -15,23 +15,6 @@ static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
 static const int UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
 
-// The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
-// first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 48 };
-
-// The same between regions that should stay apart.
-enum { NOISE_OF_KEPT = 256 * 4, KEPT = -1 };
-
-enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
-
-//! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
-static inline int logarithm(float value)
-{
-    Cv32suf bits;
-    bits.f = value;
-    return (bits.i - (127 << 23)) >> 15;
-}
-
 //! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
 static inline uint64 priceOf(int cost, int a, int b)
 {
@@ -41,86 +24,6 @@ static inline uint64 priceOf(int cost, int a, int b)
 static inline int neighborOf(int region, uint64 price)
 {
     return int(unsigned(price)) ^ region;
-}
-
-//! Of weighted means, in 1/256 of a squared level.
-static inline int squaredDistance(const short* a, const short* b)
-{
-    const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
-    return d0 * d0 + d1 * d1 + d2 * d2;
-}
-
-//! The same with depth, which some may not have, with the weights of the flood.
-static int squaredDistance(const RegionDistance& distance, const short* a, const short* b)
-{
-    const int sum = squaredDistance(a, b);
-    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
-        return sum;
-    const int depth = (distance.depth_share * (a[3] - b[3])) >> 8;
-    return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
-}
-
-//! How far the centre of a region is from the plane of another one, in depth.
-static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
-{
-    return std::abs(plane.depthAtCenter(other.center) - other_depth);
-}
-
-//! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
-//! may be wrong.
-static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& surface_a,
-                           const SurfaceMean& surface_b)
-{
-    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
-        return squaredDistance(a, b);
-    const int step = std::min(depthBetween(surface_a, surface_b, b[3]), depthBetween(surface_b, surface_a, a[3]));
-    const int depth = (distance.depth_share * step) >> 8;
-    const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
-    const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
-    const int color = int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16);
-    return color + depth * depth + x * x + y * y;
-}
-
-//! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
-//! roots and no divisions. With d the distance of the means, v the variances, n the areas, h the mean contrast across
-//! the boundary, l its length, L the lightness of the means, m that of the union:
-//!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
-//!     max(1, (n1 + n2) s / usual area)^32,   V = v1 + v2 + 16,   s = root of max(1, root of the smaller n / l)
-//! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
-//! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
-//! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
-//! these are to each other, and takes in one after the other. With s, strips that meet end to end are large earlier: they
-//! grow broader when boundaries are settled, up to twice as broad if they are one block broad. The cost is the same for both orders of the regions.
-//! @note The sum with the noise is one of integers: compilers may round a product and a sum of floats once or twice.
-static inline int unionCost(const MergeRules& rules, int squared_distance, int light_level, const MergeRegion& a,
-                            const MergeRegion& b, const MergeEdge& edge, int log_usual_area)
-{
-    const int noise = a.cell != b.cell ? rules.noise : a.cell == KEPT ? int(NOISE_OF_KEPT) : int(NOISE_IN_CELL);
-    const int variance = a.variance + b.variance + 16 * 256;
-    const int64 noisy_distance = 64 * int64(squared_distance) + ((noise * int64(variance)) >> 8);
-    const int log_union = logarithm(a.area + b.area), log_length = logarithm(float(edge.length));
-    const int log_stretch = std::min(a.log_area, b.log_area) / 2 - log_length; // of the boundary to a square
-    const int log_excess = log_union + std::max(0, log_stretch / 2) - log_usual_area;
-    const int log_contrast = logarithm(float(edge.contrast + STEPS_PER_LEVEL * int64(edge.length)));
-    return rules.distance * (logarithm(float(noisy_distance)) - logarithm(float(variance))) +
-           EXCESS * std::max(0, log_excess) +
-           rules.areas * (a.log_area + b.log_area - log_union) +
-           rules.contrast * (log_contrast - log_length) + rules.length * log_stretch -
-           rules.lightness * logarithm(float(std::abs(a.mean[0] - b.mean[0]) + light_level)) -
-           rules.brightness * (logarithm(a.light + b.light) - log_union) +
-           rules.texture * logarithm(float(std::max(a.variance, b.variance) + 8 * 256));
-}
-
-//! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
-static MergeRules weigh(MergeRules rules, const RegionDistance& distance)
-{
-    if (distance.with_depth)
-    {
-        rules.lightness = rules.lightness * (FULL_WEIGHT - distance.beside_color) / FULL_WEIGHT;
-        rules.brightness = rules.brightness * (FULL_WEIGHT - distance.beside_color) / FULL_WEIGHT;
-    }
-    return rules;
 }
 
 void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
@@ -154,7 +57,7 @@ void measureSquares(const Padded<Feature>& features, const Mat& labels, const Re
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
                              Regions& regions)
-    : distance_(distance), rules_(weigh(rules, distance)), b_(buffers), regions_(regions), num_left_(regions.size())
+    : distance_(distance), rules_(rules), b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
 }
@@ -248,7 +151,7 @@ MergeRegion SimilarMerger::describe(int region) const
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
                            b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
                            float(sum.color[0] + 16 * int64(sum.area)) * scale,
-                           region < rules_.num_kept ? int(KEPT) : region / rules_.in_cell };
+                           region < rules_.num_kept ? int(MergeRegion::KEPT) : region / rules_.in_cell, region };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -296,28 +199,10 @@ void SimilarMerger::evaluate()
 void SimilarMerger::evaluate(int k, std::vector<int>& table)
 {
     b_.graph.join(k, table);
-    findCosts(b_.graph.fresh(k));
+    UnionCost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_)
+        .find(b_.graph.fresh(k));
     b_.graph.settle(k);
     findBest(b_.graph.known(k));
-}
-
-void SimilarMerger::findCosts(EdgeList& list) const
-{
-    const MergeRegion* records = b_.records.data();
-    const bool with_depth = distance_.with_depth, with_surfaces = distance_.with_surfaces;
-    const SurfaceMean* surfaces = regions_.surfaces.means.data();
-    const MergeRules rules = rules_;
-    const int light_level = (distance_.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT; // 1 level, as means have it
-    for (size_t i = 0; i < list.count; i++)
-    {
-        MergeEdge& edge = list.edges[i];
-        const MergeRegion &a = records[edge.a], &b = records[edge.b];
-        const int distance = with_surfaces ? squaredDistance(distance_, a.mean, b.mean, surfaces[edge.a],
-                                                             surfaces[edge.b])
-                           : with_depth ? squaredDistance(distance_, a.mean, b.mean)
-                                        : squaredDistance(a.mean, b.mean);
-        edge.cost = unionCost(rules, distance, light_level, a, b, edge, log_usual_area_);
-    }
 }
 
 void SimilarMerger::findBest(const EdgeList& list)

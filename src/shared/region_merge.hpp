@@ -5,40 +5,9 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
-#include "shared/merge_graph.hpp"
+#include "shared/union_cost.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
-
-//! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/64.
-struct MergeRules
-{
-    int distance;   //!< of the means
-    int areas;      //!< n1 n2 / (n1 + n2)
-    int contrast;   //!< across the common boundary
-    int length;     //!< of the boundary: long ones make it cheap
-    int lightness;  //!< a difference of it makes it cheap, because shading varies within things
-    int brightness; //!< makes it cheap, because bright colours differ more
-    int texture;    //!< the larger variance: rough regions should not take in others
-    float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
-    int noise;      //!< a squared distance that means little, in 1/256 of the variance
-    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
-    bool on_surface; //!< areas are those on the surface, not in the image
-    int num_kept;    //!< so many regions, the first ones, stay apart rather than any others
-};
-
-//! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.9f, 320, 1, false, 0 };
-
-//! What the cost of a union reads of a region.
-struct MergeRegion
-{
-    short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
-    float area;
-    int log_area;  //!< in 1/256 of a doubling
-    int variance;  //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
-    float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
-    int cell;      //!< of the grid of markers, in which the region began, or that it is one to be kept
-};
 
 //! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
 void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
@@ -99,7 +68,6 @@ private:
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
     void evaluate(int k, std::vector<int>& table);
-    void findCosts(EdgeList& list) const;
     void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);

@@ -376,12 +376,26 @@ static void checkMeans(const Means& expected, const Mat& column)
     }
 }
 
+//! A superpixel without depth has no position, and many have no normal. The square of a CV_64F may be too large.
+static void checkSurfaces(const Mat& depth, const Mat& mean_depths, const Mat& positions, const Mat& normals)
+{
+    require(positions.size() == Size(3, mean_depths.rows) && normals.size() == positions.size(), "surfaces are N x 3");
+    for (int i = 0; i < positions.rows; i++)
+    {
+        const float z = positions.at<float>(i, 2), mean_depth = mean_depths.at<float>(i);
+        require(z == mean_depth || (std::isnan(z) && std::isnan(mean_depth)), "z is the mean depth");
+        const double length = cv::norm(normals.row(i));
+        require(std::isnan(length) || depth.depth() == CV_64F || std::abs(length - 1) < 1e-5, "normals have length 1");
+    }
+}
+
 void checkStatistics(const SuperpixelGWatershed& gws, const Mat& image, const Mat& depth)
 {
     const Partition partition = partitionOf(gws);
     const int n = partition.num_labels;
-    Mat stats, centroids, colors, depths;
-    gws.getStatistics(image, depth, stats, centroids, colors, depths);
+    Mat stats, centroids, colors, depths, positions, normals;
+    gws.getStatistics(image, depth, stats, centroids, colors, depths, positions, normals);
+    checkSurfaces(depth, depths, positions, normals);
     require(stats.type() == CV_32SC1 && stats.size() == Size(5, n), "stats is N x 5");
     require(centroids.type() == CV_64FC1 && centroids.size() == Size(2, n), "centroids is N x 2");
     require(colors.size() == (image.empty() ? Size() : Size(image.channels(), n)) &&

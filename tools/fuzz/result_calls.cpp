@@ -63,10 +63,8 @@ void Session::query()
     require(state() == before, "const methods change nothing");
 
     Mat stats, centroids, colors, depths, pairs, lengths, contrasts, positions, normals;
-    gws_->getStatistics(values, depth_, stats, centroids, colors, depths);
+    gws_->getStatistics(values, depth_, stats, centroids, colors, depths, positions, normals);
     gws_->getAdjacency(image_, depth_, pairs, lengths, contrasts);
-    if (!depth_.empty())
-        gws_->getSurfaces(depth_, positions, normals);
     for (const Mat& table : { colors, depths, contrasts, positions })
         digest(table);
 }
@@ -79,16 +77,15 @@ void Session::queryWrong()
     const Size size = image_.size(), other = size + Size(0, 1);
     const Mat wrong = makeImage(Mat(oneIn(2, bytes_) ? size : other, CV_32FC3, Scalar::all(0.5)), bytes_);
     const bool is_measured = wrong.empty() || (wrong.dims == 2 && wrong.size() == size);
-    Mat a, b, c, d;
+    Mat a, b, c, d, e;
     attempt(is_measured, "getStatistics() of an image", [&]() { gws_->getStatistics(wrong, noArray(), a, b, c, d); });
     attempt(isDepth(wrong, size), "getStatistics() of depth",
-            [&]() { gws_->getStatistics(noArray(), wrong, a, b, noArray(), d); });
+            [&]() { gws_->getStatistics(noArray(), wrong, a, b, noArray(), c, d, e); });
     attempt(wrong.empty() || (is_measured && isImage(wrong)), "getAdjacency() of an image",
             [&]() { gws_->getAdjacency(wrong, noArray(), a, b, c); });
     attempt(isDepth(wrong, size), "getAdjacency() of depth",
             [&]() { gws_->getAdjacency(image_, wrong, a, b, noArray()); });
     attempt(wrong.empty(), "getAdjacency() of depth alone", [&]() { gws_->getAdjacency(noArray(), wrong, a, b, c); });
-    attempt(isDepth(wrong, size), "getSurfaces() of depth", [&]() { gws_->getSurfaces(wrong, a, b); });
     attempt(false, "getLabels() to nowhere", [&]() { gws_->getLabels(noArray()); });
 }
 
@@ -101,7 +98,6 @@ void Session::queryUnsegmented()
     attempt(false, "getWatershedLineMask()", [&]() { gws_->getWatershedLineMask(a); });
     attempt(false, "enforceLabelConnectivity()", [&]() { gws_->enforceLabelConnectivity(); });
     attempt(false, "getStatistics()", [&]() { gws_->getStatistics(noArray(), noArray(), a, b, c, d); });
-    attempt(false, "getSurfaces()", [&]() { gws_->getSurfaces(noArray(), a, b); });
     attempt(false, "getAdjacency()", [&]() { gws_->getAdjacency(noArray(), noArray(), a, b, c); });
 }
 

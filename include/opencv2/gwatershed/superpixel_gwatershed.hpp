@@ -90,8 +90,8 @@ the same time. One object can not, except for its const methods: the second call
 of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
 markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, more where
-they are smaller than 5x5 pixels, which is most of the time then. Buffers are kept from one image to the next.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond.
+Buffers are kept from one image to the next.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -220,41 +220,38 @@ public:
     */
     CV_WRAP virtual void mergeSimilar(int num_superpixels) = 0;
 
-    /** @brief Measures all superpixels in one pass: area, bounding box, centroid, mean colour, mean depth.
+    /** @brief Measures all superpixels in one pass: area, bounding box, centroid, mean colour, mean depth, surface.
 
     @code{.cpp}
         gws->getStatistics(image, noArray(), stats, centroids, mean_colors);
+        gws->getStatistics(image, depth, stats, centroids, mean_colors, mean_depths, positions, normals);
     @endcode
 
     @param image Image of the size of the label map, of any type but 64-bit integers: the one that was segmented, or
     another one, such as optical flow or normals. Empty (noArray(), None in Python): no mean colours.
-    @param depth Depth map of the same size, of a type that iterate() takes. Empty: no mean depths.
+    @param depth Depth map of the same size, of a type that iterate() takes; metric where positions and normals are
+    asked for. Empty: no mean depths, positions and normals.
     @param stats N x 5 CV_32SC1, one row for each superpixel, in pixels. The columns are those of
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
     @param centroids N x 2 CV_64FC1, x and y in pixels.
     @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image, over its finite values.
     @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels whose depth is not missing and finite.
+    @param positions N x 3 CV_32FC1, the mean of the points in space at these pixels: x to the right, y down and z
+    forward from the camera, in the unit of depth. z is the mean depth.
+    @param normals N x 3 CV_32FC1, x, y and z of a vector of length 1, towards the camera: the normal of the plane that
+    fits the inverse of these depths best.
 
-    A mean is NaN if there is nothing to take it from. A table without rows is None in Python. Throws cv::Exception
-    before the first iterate().
+    The focal length of positions and normals is that of setFocalLength() at the last iterate(), or, if that was 0, 0.8
+    of the longer side of the image; the optical axis meets the middle of the image. A mask changes neither of them.
+
+    Any table can be left out by noArray(); means, positions and normals take no time then. Means and positions are NaN
+    if there is nothing to take them from, and so are normals if all pixels with depth are on one line. A table of what
+    was not given has no rows. In Python all are returned, and one without rows is None. Throws cv::Exception before the
+    first iterate().
     */
     CV_WRAP virtual void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
-                                       OutputArray mean_colors = noArray(),
-                                       OutputArray mean_depths = noArray()) const = 0;
-
-    /** @brief Measures the surface of each superpixel: where it is, and which way it faces.
-
-    @param depth Depth map of the size of the label map, of a type that iterate() takes.
-    @param positions N x 3 CV_32FC1, the mean of its points (x to the right, y down, z forward from the camera), in the
-    unit of depth.
-    @param normals N x 3 CV_32FC1, the unit normal, towards the camera, of the plane that fits the inverse of its depths
-    best.
-
-    The focal length is that of the last iterate(), see setFocalLength(); the usual one if it was 0. Where there is
-    nothing to take them from - no depth, or for a normal none but on one line - they are NaN. Throws cv::Exception
-    before the first iterate().
-    */
-    CV_WRAP virtual void getSurfaces(InputArray depth, OutputArray positions, OutputArray normals) const = 0;
+                                       OutputArray mean_colors = noArray(), OutputArray mean_depths = noArray(),
+                                       OutputArray positions = noArray(), OutputArray normals = noArray()) const = 0;
 
     /** @brief Lists the superpixels that touch: the region adjacency graph.
 

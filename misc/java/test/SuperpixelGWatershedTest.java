@@ -185,6 +185,12 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
             assertEquals(Core.mean(image).val[channel], mean.get(0, channel)[0], 0.01);
         gws.getStatistics(image, new Mat(), stats, centroids);
         assertEquals(number, stats.rows());
+        Mat positions = new Mat(), normals = new Mat();
+        gws.getStatistics(new Mat(), depth, stats, centroids, colors, depths, positions, normals);
+        assertEquals(0, colors.rows());
+        assertEquals(new Size(3, number), positions.size());
+        assertEquals(new Size(3, number), normals.size());
+        assertEquals(0.0, Core.norm(positions.col(2), depths, Core.NORM_INF)); // z is the mean depth
     }
 
     public void testAdjacency() {

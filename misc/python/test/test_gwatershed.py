@@ -41,8 +41,8 @@ METHODS = {
     "enforceLabelConnectivity": ["([, min_element_size]) -> None"],
     "mergeSmall": ["(min_area) -> None"],
     "mergeSimilar": ["(num_superpixels) -> None"],
-    "getStatistics": ["(image, depth[, stats[, centroids[, mean_colors[, mean_depths]]]])"
-                      " -> stats, centroids, mean_colors, mean_depths"],
+    "getStatistics": ["(image, depth[, stats[, centroids[, mean_colors[, mean_depths[, positions[, normals]]]]]])"
+                      " -> stats, centroids, mean_colors, mean_depths, positions, normals"],
     "getAdjacency": ["(image, depth[, pairs[, lengths[, contrasts]]]) -> pairs, lengths, contrasts"],
     "setMask": ["(mask) -> None"],
     "setMarkers": ["(markers) -> None"],
@@ -68,7 +68,6 @@ METHODS = {
     "setDepthRange": ["(near_depth, far_depth) -> None"],
     "getNearDepth": ["() -> retval"],
     "getFarDepth": ["() -> retval"],
-    "getSurfaces": ["(depth[, positions[, normals]]) -> positions, normals"],
     "setFocalLength": ["(fx[, fy]) -> None"],
     "getFocalLengthX": ["() -> retval"],
     "getFocalLengthY": ["() -> retval"],
@@ -265,11 +264,14 @@ class gwatershed_test(TestCase):
         gws = ximgproc.createSuperpixelGWatershed(image, region_size=8)
         gws.iterate()
         labels, number = gws.getLabels(), gws.getNumberOfSuperpixels()
-        stats, centroids, colors, depths = gws.getStatistics(image, depth)
+        stats, centroids, colors, depths, positions, normals = gws.getStatistics(image, depth)
         self.assertEqual((stats.shape, stats.dtype), ((number, 5), np.int32))
         self.assertEqual((centroids.shape, centroids.dtype), ((number, 2), np.float64))
         self.assertEqual((colors.shape, colors.dtype), ((number, 3), np.float32))
         self.assertEqual((depths.shape, depths.dtype), ((number, 1), np.float32))
+        self.assertEqual((positions.shape, positions.dtype), ((number, 3), np.float32))
+        self.assertEqual((normals.shape, normals.dtype), ((number, 3), np.float32))
+        np.testing.assert_array_equal(positions[:, 2:], depths)
         for i in range(number):
             y, x = np.nonzero(labels == i)
             self.assertEqual(stats[i].tolist(), [x.min(), y.min(), np.ptp(x) + 1, np.ptp(y) + 1, len(x)])
@@ -279,6 +281,18 @@ class gwatershed_test(TestCase):
             np.testing.assert_allclose(depths[i, 0], valid.mean() if len(valid) else np.nan, rtol=1e-5)
         only_colors = gws.getStatistics(image=image, depth=None)
         np.testing.assert_array_equal(only_colors[2], colors)
+        self.assertEqual(only_colors[3:], (None, None, None))
+
+    def test_surfaces(self):
+        y, x = np.mgrid[0:60, 0:80]
+        depth = (2 / (1 - 0.4 * (x - 39.5) / 70 + 0.3 * (y - 29.5) / 50)).astype(np.float32)  # z = 2 + 0.4 x - 0.3 y
+        gws = ximgproc.createSuperpixelGWatershed(np.zeros((60, 80), np.uint8), depth, region_size=12)
+        gws.setFocalLength(70, 50)
+        gws.iterate()
+        positions, normals = gws.getStatistics(None, depth)[4:]
+        np.testing.assert_allclose(2 + positions[:, :2] @ [0.4, -0.3], positions[:, 2], rtol=1e-4)
+        np.testing.assert_allclose(normals, np.tile(np.float32([0.4, -0.3, -1]) / np.sqrt(1.25), (len(normals), 1)),
+                                   atol=1e-3)
 
     def test_adjacency(self):
         image = make_image()
