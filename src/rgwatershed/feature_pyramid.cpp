@@ -72,15 +72,15 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
 //! Returns the row itself if there is none.
-static const Feature* fillBlocks(const Feature* row, const BlockRow& blocks, std::vector<Feature>& filled)
+static const Feature* fillBlocks(const Feature* row, const BlockRow& blocks, AutoBuffer<Feature>& filled)
 {
     if (blocks.missing == 0)
         return row;
     const int end = blocks.start(blocks.short_block + 1), length = blocks.start(blocks.count);
-    filled.resize(blocks.side * blocks.count);
-    std::copy_n(row, end, filled.begin());
-    std::fill_n(filled.begin() + end, blocks.missing, row[end - 1]);
-    std::copy_n(row + end, length - end, filled.begin() + end + blocks.missing);
+    filled.allocate(blocks.side * blocks.count);
+    std::copy_n(row, end, filled.data());
+    std::fill_n(filled.data() + end, blocks.missing, row[end - 1]);
+    std::copy_n(row + end, length - end, filled.data() + end + blocks.missing);
     return filled.data();
 }
 
@@ -100,7 +100,7 @@ public:
 private:
     const Padded<Feature>& features_;
     const BlockGrid& grid_;
-    std::vector<Feature> filled_[3];
+    AutoBuffer<Feature> filled_[3];
 };
 
 static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,

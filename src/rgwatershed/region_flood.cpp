@@ -237,9 +237,8 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
             {
                 const int seed = labels.index(markers[m]);
                 labels.data()[seed] = first + m;
-                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
-                if (!middles.empty())
-                    buffers.regions[first + m].middle = middles[m];
+                const Point middle = middles.empty() ? 2 * markers[m] : middles[m];
+                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m], middle);
                 if (features.withNormals())
                     buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
@@ -277,7 +276,7 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     buffers.regions.resize(regions.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
-        buffers.regions[i] = FloodRegion(regions.sums[i], Point());
+        buffers.regions[i] = FloodRegion(regions.sums[i], Point(), Point());
     floodRows(features, distance, NO_RULER, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
               buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)

@@ -15,7 +15,8 @@ namespace cv { namespace ximgproc { namespace gws {
 struct FloodRegion
 {
     FloodRegion() {}
-    FloodRegion(const RegionSum& sum_, Point center_) : sum(sum_), center(center_), middle(2 * center_), rise(0), next_update(0)
+    FloodRegion(const RegionSum& sum_, Point center_, Point middle_)
+        : sum(sum_), center(center_), middle(middle_), rise(0), next_update(0)
     {
         if (sum.area > 0)
             update();

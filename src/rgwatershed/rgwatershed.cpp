@@ -66,8 +66,7 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
         const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
         const MarkerGrid grid(features.size(), features_[0].size(), plan.levels.side(plan.levels.top),
                               plan.num_markers / in_cell, in_cell);
-        placeGridMarkers(gradient_, grid, markers_);
-        findMiddles(grid, markers_, middles_);
+        placeGridMarkers(gradient_, grid, markers_, middles_);
         divideIntoBands(grid, plan.band_height, bands_);
         markers_in_cell = grid.parts.area();
     }
@@ -82,7 +81,8 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     }
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
-    floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
+    floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance,
+                    plan.floodRuler(plan.blocks, plan.num_markers),
                     plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
                     labels_[plan.levels.top], regions_);
     return markers_in_cell;

@@ -171,11 +171,15 @@ void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<P
     forParts(grid, [&](int i, const Rect& part) { markers[i] = findMarker(gradient, part, grid.symmetric); });
 }
 
-void findMiddles(const MarkerGrid& grid, const std::vector<Point>& markers, std::vector<Point>& middles)
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles)
 {
-    middles.resize(markers.size());
+    CV_TRACE_FUNCTION();
+    markers.resize(grid.numMarkers());
+    middles.resize(grid.numMarkers());
     forParts(grid, [&](int i, const Rect& part)
     {
+        markers[i] = findMarker(gradient, part, grid.symmetric);
         const Point center(2 * part.x + part.width - 1, 2 * part.y + part.height - 1), marker = 2 * markers[i];
         const bool central = std::abs(marker.x - center.x) <= 1 && std::abs(marker.y - center.y) <= 1;
         middles[i] = central ? center : marker;

@@ -33,9 +33,10 @@ struct MarkerGrid
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);
 
-//! Twice the places that distances from markers count from: for a marker at the centre of its part just that centre,
-//! which may lie between pixels, so that what is nearest to it is the part; the place of any other marker.
-void findMiddles(const MarkerGrid& grid, const std::vector<Point>& markers, std::vector<Point>& middles);
+//! The same, and twice the places that distances from markers count from: for a marker at the centre of its part just
+//! that centre, which may lie between pixels, so that what is nearest to it is the part; the place of any other marker.
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles);
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
 //! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in

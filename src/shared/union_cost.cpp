@@ -8,7 +8,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
 // first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 48 };
+enum { NOISE_IN_CELL = 32 };
 
 // The same between regions that should stay apart.
 enum { NOISE_OF_KEPT = 256 * 4 };
@@ -149,8 +149,8 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
     const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
-    const v_int32x4 stretch = v_max(v_shr<1>(subtract(zero, relative_length)), zero);
-    const v_int32x4 excess = v_max(subtract(add(log_union, stretch), log_usual_area_), zero);
+    const v_int32x4 compactness = v_min(v_shr<1>(relative_length), zero);
+    const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
     const v_int32x4 variance = logarithm(add(add(a.variance, b.variance), v_setall_s32(LEAST_VARIANCE)));
     const v_int32x4 distance = subtract(add(logarithm(add(squared_distance, v_load(noises))), log_64), variance);
     const v_int32x4 areas = subtract(add(a.log_area, b.log_area), log_union);
