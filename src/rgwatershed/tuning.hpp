@@ -85,7 +85,7 @@ inline MergeRules mergeRules(float ruler)
 {
     MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0 };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
-    rules.noise = 205 + cvRound(9 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
+    rules.noise = 205 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }
 

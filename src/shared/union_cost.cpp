@@ -8,7 +8,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
 // first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 32 };
+enum { NOISE_IN_CELL = 24 };
 
 // The same between regions that should stay apart.
 enum { NOISE_OF_KEPT = 256 * 4 };

@@ -27,7 +27,7 @@ struct MergeRules
 };
 
 //! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.9f, 320, 1, false, 0 };
+static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.7f, 320, 1, false, 0 };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
