@@ -113,10 +113,11 @@ void findMasksInBlocks(const Padded<int>& blocks, int side, const Range& rows, P
     {
         if (y == rows.start || y % side == 0)
             findMasksOfRow(blocks.row(y / side), blocks.step(), width, masks_of_blocks.data());
+        const MaskTable::BlockRow* const rows_of_blocks = table.rowsOfBlocks(side, y % side);
         const int* const of_blocks = masks_of_blocks.data();
-        uchar* const to = line.data();
-        for (int x = 0; x < width; x++) // of each 4 bytes the next ones overwrite those beyond the block
-            memcpy(to + side * x, table.masksInBlock(side, of_blocks[x], y % side), 4);
+        uchar* to = line.data();
+        for (int x = 0; x < width; x++, to += side) // of each 4 bytes the next ones overwrite those beyond the block
+            memcpy(to, rows_of_blocks + of_blocks[x], sizeof(MaskTable::BlockRow));
         if (size.width % side != 0) // the last block is not whole
             line[size.width - 1] &= WITHOUT_RIGHT;
         for (int x = 0; x < size.width && y == size.height - 1; x++)
