@@ -12,9 +12,9 @@ namespace cv { namespace ximgproc { namespace gws {
 //! How the elements of a row, or of a column, are divided into blocks of a side. If the side does not divide their
 //! number, one block is short: the one in the middle, so that a mirrored image has the mirrored blocks (nearly, if
 //! the number of blocks is even), or the last one.
-struct BlockRow
+struct BlockAxis
 {
-    BlockRow(int length, int side_, bool centered)
+    BlockAxis(int length, int side_, bool centered)
         : side(side_), count((length + side - 1) / side), missing(side * count - length),
           short_block(centered ? count / 2 : count - 1)
     {
@@ -39,7 +39,7 @@ struct BlockGrid
     }
 
     int side;
-    BlockRow columns, rows;
+    BlockAxis columns, rows;
 };
 
 }}} // namespace

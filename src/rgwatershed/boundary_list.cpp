@@ -7,8 +7,45 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// The lists are made without unpredictable branches: every pixel is written, and the next one overwrites what does not
-// belong to the list.
+// The lists are made without unpredictable branches: eight pixels of a class are written at once, and the next ones
+// overwrite those that do not belong to the list.
+
+//! Where the ones of eight bits are, one after the other.
+struct BitPlaces
+{
+    BitPlaces() : places(), counts()
+    {
+        for (int bits = 0; bits < 256; bits++)
+            for (int i = 0; i < 8; i++)
+                if ((bits >> i) & 1)
+                    places[bits][counts[bits]++] = uchar(2 * i); // every other pixel is of the class
+    }
+
+    uchar places[256][8], counts[256];
+};
+
+static const BitPlaces& bitPlaces()
+{
+    static const BitPlaces table;
+    return table;
+}
+
+//! Adds the pixels whose bits are set, and others behind them. Returns the end.
+static inline int* addPixels(const BitPlaces& table, unsigned bits, int first, int* to)
+{
+    const v_uint32x4 start = v_setall_u32(unsigned(first));
+    const uchar* places = table.places[bits];
+    v_store(reinterpret_cast<unsigned*>(to), add(start, v_load_expand_q(places)));
+    v_store(reinterpret_cast<unsigned*>(to + 4), add(start, v_load_expand_q(places + 4)));
+    return to + table.counts[bits];
+}
+
+//! Which of 16 bytes are 1 and not 0, as bits: those at even places first.
+static inline unsigned toBits(const v_uint8x16& ones)
+{
+    const v_uint16x8 pairs = v_reinterpret_as_u16(ones);
+    return unsigned(v_signmask(v_pack(v_reinterpret_as_s16(v_shl<15>(pairs)), v_reinterpret_as_s16(v_shl<7>(pairs)))));
+}
 
 void BoundaryList::begin(int first_row, size_t most_quads)
 {
@@ -16,34 +53,32 @@ void BoundaryList::begin(int first_row, size_t most_quads)
     for (int c = 0; c < NUM_CLASSES; c++)
     {
         pixels_[c].clear();
-        pixels_[c].reserve(most_quads + NUM_BEHIND);
+        pixels_[c].reserve(most_quads + ROOM);
         ends_[c].assign(1, 0);
     }
 }
 
 template <typename Find> void BoundaryList::addRow(int cols, int first, int step, const Find& find)
 {
+    const BitPlaces& table = bitPlaces();
     int* next[NUM_CLASSES];
     for (int c = 0; c < NUM_CLASSES; c++)
     {
-        pixels_[c].resize(ends_[c].back() + (cols + 1) / 2 + NUM_BEHIND);
+        pixels_[c].resize(ends_[c].back() + (cols + 1) / 2 + ROOM);
         next[c] = pixels_[c].data() + ends_[c].back();
     }
     for (int x = 0; x < cols; x += AT_ONCE)
     {
-        unsigned upper, lower;
-        find(x, upper, lower);
-        for (int pixel = first + x; upper | lower; pixel += 2, upper >>= 2, lower >>= 2)
-        {
-            *next[0] = pixel;
-            *next[1] = pixel + 1;
-            *next[2] = pixel + step;
-            *next[3] = pixel + step + 1;
-            next[0] += upper & 1;
-            next[1] += (upper >> 1) & 1;
-            next[2] += lower & 1;
-            next[3] += (lower >> 1) & 1;
-        }
+        v_uint8x16 in_upper, in_lower;
+        find(x, in_upper, in_lower);
+        const unsigned upper = toBits(in_upper), lower = toBits(in_lower);
+        if ((upper | lower) == 0)
+            continue;
+        const int pixel = first + x;
+        next[0] = addPixels(table, upper & 255, pixel, next[0]);
+        next[1] = addPixels(table, upper >> 8, pixel + 1, next[1]);
+        next[2] = addPixels(table, lower & 255, pixel + step, next[2]);
+        next[3] = addPixels(table, lower >> 8, pixel + step + 1, next[3]);
     }
     for (int c = 0; c < NUM_CLASSES; c++)
     {
@@ -69,11 +104,11 @@ void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& mask
 //! The masks in row i of a row of whole blocks. Behind the line is room for four more.
 static void fillLine(const std::vector<int>& masks_of_blocks, int side, int i, uchar* line)
 {
-    const MaskTable& table = maskTable();
+    const MaskTable::BlockRow* const rows_of_blocks = maskTable().rowsOfBlocks(side, i);
     const int width = int(masks_of_blocks.size());
     const int* const of_blocks = masks_of_blocks.data();
-    for (int x = 0; x < width; x++) // of each 4 bytes the next ones overwrite those beyond the block
-        memcpy(line + side * x, table.masksInBlock(side, of_blocks[x], i), 4);
+    for (int x = 0; x < width; x++, line += side) // of each 4 bytes the next ones overwrite those beyond the block
+        memcpy(line, rows_of_blocks + of_blocks[x], sizeof(MaskTable::BlockRow));
 }
 
 //! A mask that has some bits of another one.
@@ -84,7 +119,7 @@ static inline uchar putBits(uchar mask, uchar other, uchar bits) { return uchar(
 void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks)
 {
     const uchar RIGHT = 0x1C, BELOW = 0x70;
-    const BlockRow& columns = grid.columns;
+    const BlockAxis& columns = grid.columns;
     const int side = grid.side, width = columns.count, next = columns.short_block + 1, end = columns.start(next);
     std::vector<int> masks_of_blocks(width);
     std::vector<uchar> line(side * width + 4), last_line(side * width + 4);
@@ -129,14 +164,8 @@ template <int BITS> static inline v_uint8x16 rotateLeft(const v_uint8x16& bytes)
 //! 1 for bytes that are not 0.
 static inline v_uint8x16 isSome(const v_uint8x16& bytes) { return v_min(bytes, v_setall_u8(1)); }
 
-//! Which of 16 bytes are 1 and not 0, as bits.
-static inline unsigned toBits(const v_uint8x16& ones)
-{
-    return unsigned(v_signmask(v_reinterpret_as_u8(v_shl<7>(v_reinterpret_as_u16(ones)))));
-}
-
-//! MaskTable::canLeave() of 16 masks, as bits.
-static inline unsigned findLeavers(const v_uint8x16& masks)
+//! MaskTable::canLeave() of 16 masks: 1 or 0.
+static inline v_uint8x16 findLeavers(const v_uint8x16& masks)
 {
     const v_uint8x16 four = v_setall_u8(uchar(MaskTable::FOUR_NEIGHBORS)), neighbors = bitAnd(masks, four);
     // Those that the corner before them links to the 4-neighbour before that; the others begin a piece.
@@ -144,7 +173,7 @@ static inline unsigned findLeavers(const v_uint8x16& masks)
     const v_uint8x16 pieces = v_sub_wrap(neighbors, linked);
     const v_uint8x16 further = bitAnd(pieces, v_sub_wrap(pieces, v_setall_u8(1))); // all but the lowest bit
     const v_uint8x16 is_one_piece = v_sub_wrap(isSome(pieces), isSome(further));
-    return toBits(v_min(is_one_piece, isSome(v_sub_wrap(four, neighbors))));
+    return v_min(is_one_piece, isSome(v_sub_wrap(four, neighbors)));
 }
 
 void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list)
@@ -153,7 +182,7 @@ void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& l
     for (int y = rows.start; y < rows.end; y++)
     {
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, unsigned& in_upper, unsigned& in_lower)
+        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
             in_upper = findLeavers(loadBytes(upper, x, cols, INTERIOR));
             in_lower = findLeavers(loadBytes(lower, x, cols, INTERIOR));
@@ -170,17 +199,17 @@ void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& ma
     {
         uchar* row = marks.row(y);
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, unsigned& in_upper, unsigned& in_lower)
+        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
             const v_uint8x16 of_quads = loadBytes(row, x / 2, num_quads, 0);
             v_uint8x16 of_pixels, further;
             v_zip(of_quads, of_quads, of_pixels, further);
-            in_upper = toBits(isSome(bitAnd(of_pixels, upper_classes)));
-            in_lower = toBits(isSome(bitAnd(of_pixels, lower_classes)));
-            if (in_upper | in_lower)
+            in_upper = isSome(bitAnd(of_pixels, upper_classes));
+            in_lower = isSome(bitAnd(of_pixels, lower_classes));
+            if (toBits(v_max(in_upper, in_lower)))
             {
-                in_upper &= findLeavers(loadBytes(upper, x, cols, INTERIOR));
-                in_lower &= findLeavers(loadBytes(lower, x, cols, INTERIOR));
+                in_upper = v_min(in_upper, findLeavers(loadBytes(upper, x, cols, INTERIOR)));
+                in_lower = v_min(in_lower, findLeavers(loadBytes(lower, x, cols, INTERIOR)));
             }
         });
         std::fill_n(row, num_quads, uchar(0));

@@ -35,8 +35,8 @@ public:
     void begin(int first_row, size_t most_quads);
 
     //! Adds some pixels of the next row of quads. first is the index of the upper left pixel in it, step the offset to
-    //! the next row of pixels. find(x, upper, lower) tells which of the AT_ONCE pixels from column x on in the upper
-    //! and in the lower row these are, as bits.
+    //! the next row of pixels. find(x, in_upper, in_lower) tells which of the AT_ONCE pixels from column x on in
+    //! the upper and in the lower row these are: 1 or 0.
     template <typename Find> void addRow(int cols, int first, int step, const Find& find);
     enum { AT_ONCE = 16 };
 
@@ -48,6 +48,8 @@ public:
     }
 
 private:
+    enum { ROOM = 8 }; // so many are written at once
+
     int first_row_;
     std::vector<int> pixels_[NUM_CLASSES]; // with room at the end
     std::vector<int> ends_[NUM_CLASSES];   // of the rows; the first is 0

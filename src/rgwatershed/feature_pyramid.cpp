@@ -72,7 +72,7 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
 //! Returns the row itself if there is none.
-static const Feature* fillBlocks(const Feature* row, const BlockRow& blocks, AutoBuffer<Feature>& filled)
+static const Feature* fillBlocks(const Feature* row, const BlockAxis& blocks, AutoBuffer<Feature>& filled)
 {
     if (blocks.missing == 0)
         return row;
@@ -256,7 +256,7 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
             rows[levels.top] = Range(i * height, std::min((i + 1) * height, num_rows));
             for (int level = levels.top; level > 0; level--)
             {
-                const BlockRow blocks = levels.grid(level, frame.color.size()).rows;
+                const BlockAxis blocks = levels.grid(level, frame.color.size()).rows;
                 rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
             }
             for (int level = 0; level <= levels.top; level++)

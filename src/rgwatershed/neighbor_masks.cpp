@@ -81,7 +81,7 @@ MaskTable::MaskTable() : in_block_(), changes_()
         for (int mask = 0; mask < 256; mask++)
             for (int y = 0; y < side; y++)
                 for (int x = 0; x < side; x++)
-                    in_block_[side - 2][mask][y][x] = findMaskInBlock(side, mask, x, y);
+                    in_block_[side - 2][y][mask].masks[x] = findMaskInBlock(side, mask, x, y);
 }
 
 const MaskTable& maskTable()

@@ -39,9 +39,14 @@ public:
     //! Whether three of the 4-neighbours are not in the mask.
     bool isTip(int mask) const { return is_tip_[mask]; }
 
-    //! Masks of the pixels in a row of a block of 2x2 or 3x3 pixels, which has a side, by the mask of the block. 4
-    //! bytes, the last of them unused.
-    const uchar* masksInBlock(int side, int mask, int row) const { return in_block_[side - 2][mask][row]; }
+    //! Masks of the pixels in a row of a block; the last byte is unused.
+    struct BlockRow
+    {
+        uchar masks[4];
+    };
+
+    //! For all masks of a block of 2x2 or 3x3 pixels, which has a side: one of its rows.
+    const BlockRow* rowsOfBlocks(int side, int row) const { return in_block_[side - 2][row]; }
 
     //! What changes in the masks of the neighbours if the pixel in the middle changes its label, and the neighbours of
     //! the mask have the old or the new one: 4 bytes from the left for each row, the last of them 0.
@@ -49,7 +54,7 @@ public:
 
 private:
     uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256];
-    uchar in_block_[2][256][3][4];
+    BlockRow in_block_[2][3][256];
     uchar changes_[256][3][4];
 };
 

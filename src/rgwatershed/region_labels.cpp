@@ -16,7 +16,7 @@ template <int SIDE> static void spreadPart(const int* blocks, int cols, int* lab
 }
 
 //! Up to the end of the short block, then the rest.
-template <int SIDE> static void spreadRow(const int* blocks, const BlockRow& columns, int* labels)
+template <int SIDE> static void spreadRow(const int* blocks, const BlockAxis& columns, int* labels)
 {
     const int next = columns.short_block + 1, end = columns.start(next);
     spreadPart<SIDE>(blocks, end, labels);
