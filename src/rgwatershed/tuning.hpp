@@ -83,9 +83,9 @@ inline int boundaryPrice(double price, double side, float ruler)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0 };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0, true };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
-    rules.noise = 205 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
+    rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }
 

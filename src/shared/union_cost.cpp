@@ -149,7 +149,7 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
     const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
-    const v_int32x4 compactness = v_min(v_shr<1>(relative_length), zero);
+    const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
     const v_int32x4 variance = logarithm(add(add(a.variance, b.variance), v_setall_s32(LEAST_VARIANCE)));
     const v_int32x4 distance = subtract(add(logarithm(add(squared_distance, v_load(noises))), log_64), variance);
@@ -177,7 +177,7 @@ static int weighLightness(int exponent, const RegionDistance& distance)
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
                      const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), surfaces_(surfaces), noise_(rules.noise),
-      log_usual_area_(v_setall_s32(log_usual_area)),
+      log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(rules.distance, EXCESS)),
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),

@@ -24,10 +24,11 @@ struct MergeRules
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface; //!< areas are those on the surface, not in the image
     int num_kept;    //!< so many regions, the first ones, stay apart rather than any others
+    bool grow;       //!< what is united grows broader later, when boundaries are settled
 };
 
 //! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.7f, 320, 1, false, 0 };
+static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.7f, 320, 1, false, 0, false };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
@@ -60,9 +61,9 @@ inline int logarithm(float value)
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
 //! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
 //! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
-//! these are to each other, and takes in one after the other. With s in it, strips that meet end to end are too large
-//! earlier: when boundaries are settled they grow broader, and one of single blocks becomes twice as large. The cost is
-//! the same for both orders of the regions.
+//! these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet end to
+//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. The cost is the same for
+//! both orders of the regions.
 class UnionCost
 {
 public:
@@ -83,6 +84,7 @@ private:
     const SurfaceMean* const surfaces_;
     const int noise_;
     v_int32x4 log_usual_area_; // above it, unions are expensive
+    v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_excess_, areas_and_contrast_, length_and_lightness_, brightness_and_texture_; // exponents
 };
