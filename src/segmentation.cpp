@@ -18,6 +18,14 @@ bool Mask::operator==(const Mask& other) const
     return pixels.size() == other.pixels.size() && (empty() || countNonZero(pixels != other.pixels) == 0);
 }
 
+//! Makes labels of the size of an image, which are -1 outside of the bounds.
+static void createLabels(Size size, const Rect& bounds, Mat& labels)
+{
+    labels.create(size, CV_32SC1);
+    if (bounds.size() != size)
+        labels.setTo(Scalar(-1));
+}
+
 void Segmentation::start(Size size, const Parameters& parameters_, const Mask& mask_)
 {
     complete = false;
@@ -26,9 +34,20 @@ void Segmentation::start(Size size, const Parameters& parameters_, const Mask& m
     parameters = parameters_;
     mask = mask_;
     bounds = mask.empty() ? Rect(Point(), size) : mask.bounds;
-    labels.create(size, CV_32SC1);
-    if (bounds.size() != size)
-        labels.setTo(Scalar(-1));
+    createLabels(size, bounds, labels);
+}
+
+void Segmentation::cut(int num_superpixels)
+{
+    Mat whole = labels;
+    if (hierarchy.holds(labels))
+    {
+        whole = Mat();
+        createLabels(labels.size(), bounds, whole);
+    }
+    Mat part = whole(bounds);
+    number = hierarchy.cut(num_superpixels, part);
+    labels = whole;
 }
 
 }}} // namespace

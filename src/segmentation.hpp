@@ -32,6 +32,9 @@ struct Segmentation
     //! Keeps what it will be made with; it is not complete yet. labels become -1 outside of the bounds.
     void start(Size size, const Parameters& parameters, const Mask& mask);
 
+    //! Takes labels from the hierarchy, which is not empty.
+    void cut(int num_superpixels);
+
     bool empty() const { return !complete; }
     //! Whether a vector can hold the label map.
     bool isLine() const { return labels.rows == 1 || labels.cols == 1; }

@@ -114,8 +114,9 @@ void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentat
     now.num_superpixels = frame.num_superpixels;
     const bool temporal = parameters.temporal && frame.markers.empty();
     frame.continues = temporal && now == last;
-    result.number = parameters.algorithm == GWATERSHED ? gwatershed_.run(frame, parameters, labels)
-                                                       : rgwatershed_.run(frame, parameters, num_iterations, labels);
+    result.number = parameters.algorithm == GWATERSHED
+            ? gwatershed_.run(frame, parameters, labels)
+            : rgwatershed_.run(frame, parameters, num_iterations, merge_buffers_, labels);
     if (!frame.mask.empty())
         max(labels, Scalar(-1), labels);
     if (temporal)
@@ -130,13 +131,16 @@ void Segmenter::drawLines(const Segmentation& result, Mat& mask) const
     gwatershed_.drawLines(part);
 }
 
-void Segmenter::buildHierarchy(Segmentation& result) const
+void Segmenter::buildHierarchy(Segmentation& result)
 {
     const Parameters& used = result.parameters;
     const FeatureMap features = used.algorithm == GWATERSHED ? gwatershed_.features(used.lab_input)
                                                              : rgwatershed_.features();
     result.hierarchy.build(features, floodDistance(used, result.with_depth, features.withNormals()),
-                           result.labels(result.bounds), result.number);
+                           result.labels(result.bounds), result.number, merge_buffers_);
+    // Kept where the segmentation keeps them: its own are as large.
+    if (hasLargeMergeBuffers(effortRules(used.effort).markers * result.number, result.bounds.area()))
+        merge_buffers_ = MergeBuffers();
 }
 
 }}} // namespace

@@ -32,7 +32,7 @@ public:
     void drawLines(const Segmentation& result, Mat& mask) const;
 
     //! Finds the order in which the superpixels of the last segmentation merge.
-    void buildHierarchy(Segmentation& result) const;
+    void buildHierarchy(Segmentation& result);
 
 private:
     //! What the next frame must have in common with the last one to go on from it in temporal mode.
@@ -55,6 +55,7 @@ private:
     GWatershed gwatershed_;
     RGWatershed rgwatershed_;
     SurfaceBuffers surface_;
+    MergeBuffers merge_buffers_; // of RGWATERSHED and of hierarchies
     Mat converted_, scaled_, numbered_;
     Last last_;
 };

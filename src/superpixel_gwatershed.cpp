@@ -137,10 +137,9 @@ public:
             return;
         guardMemory([&]()
         {
-            Mat part = result_.labels(result_.bounds);
             if (result_.hierarchy.empty())
                 segmenter_.buildHierarchy(result_);
-            result_.number = result_.hierarchy.cut(num_superpixels, part);
+            result_.cut(num_superpixels);
         });
     }
 

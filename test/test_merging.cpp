@@ -141,9 +141,10 @@ std::pair<RegionKey, RegionKey> findUnion(const Mat& before, const Mat& after, i
 TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
 {
     RNG& rng = theRNG();
+    const int WIDTHS[] = { 80, 80, 80, 80, 7, 150 }; // narrower than what is read at once, and runs that are longer
     for (int i = 0; i < 6; i++)
     {
-        const Mat image = makeScene(Size(80, 60), rng);
+        const Mat image = makeScene(Size(WIDTHS[i], 4800 / WIDTHS[i]), rng);
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
         gws->iterate();
         std::vector<KeyedCosts> history;
@@ -160,6 +161,41 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
             ASSERT_TRUE(found) << n << " superpixels";
             before = after;
         }
+    }
+}
+
+//! Labels of a picture, before and after they are merged.
+std::vector<Mat> mergedLabels(const Ptr<SuperpixelGWatershed>& gws, const Mat& image)
+{
+    std::vector<Mat> labels;
+    gws->iterate(image);
+    labels.push_back(labelsOf(gws));
+    const int number = gws->getNumberOfSuperpixels();
+    gws->mergeSimilar(1 + number / 4);
+    labels.push_back(labelsOf(gws));
+    gws->mergeSimilar(1 + number / 2);
+    labels.push_back(labelsOf(gws));
+    return labels;
+}
+
+// The segmentation and merging share buffers, and the label map changes its place.
+TEST_P(ximgproc_GWatershed_merging, merging_leaves_nothing_to_the_next_image)
+{
+    RNG& rng = theRNG();
+    const int EFFORTS[] = { 1, 3, 0, 2 };
+    Ptr<SuperpixelGWatershed> used = createSuperpixelGWatershed(8, 8, 3, 1, GetParam());
+    for (int i = 0; i < 12; i++)
+    {
+        const Mat image = makeScene(Size(60 + 20 * (i % 3), 70), rng);
+        Ptr<SuperpixelGWatershed> fresh = createSuperpixelGWatershed(8, 8, 3, 1, GetParam());
+        for (const Ptr<SuperpixelGWatershed>& gws : { used, fresh })
+        {
+            gws->setRegionSize(4 + 3 * (i % 4));
+            gws->setEffort(EFFORTS[i % 4]);
+        }
+        const std::vector<Mat> labels = mergedLabels(used, image), expected = mergedLabels(fresh, image);
+        for (size_t k = 0; k < expected.size(); k++)
+            EXPECT_EQ(0, cv::norm(labels[k], expected[k], NORM_INF)) << "image " << i << ", labels " << k;
     }
 }
 

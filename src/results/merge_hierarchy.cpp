@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "results/merge_hierarchy.hpp"
-#include "shared/region_merge.hpp"
+#include "shared/region_measure.hpp"
 #include "shared/renumber.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -11,19 +11,17 @@ namespace cv { namespace ximgproc { namespace gws {
 //! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
 //! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
 void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
-                           int num_labels)
+                           int num_labels, MergeBuffers& buffers)
 {
     CV_TRACE_FUNCTION();
     Regions regions;
     regions.resize(num_labels);
-    measureRegions(features, labels, regions);
-    MergeBuffers buffers;
+    measureRegions(features, labels, distance, regions, buffers.squares);
     buffers.graph.build(labels, num_labels, features, distance);
-    measureSquares(features, labels, distance, num_labels, buffers.squares);
     SimilarMerger merger(distance, MERGE_BY_VARIANCES, buffers, regions);
     unions_ = merger.runToTheEnd();
 
-    labels.copyTo(labels_);
+    labels_ = labels;
     num_labels_ = num_labels;
 }
 
@@ -36,8 +34,7 @@ int MergeHierarchy::cut(int num_labels, Mat& labels) const
     for (size_t i = 0; i < count; i++)
         parents[unions_[i][0]] = unions_[i][1];
     const int left = numberRegions(parents, numbers);
-    labels_.copyTo(labels);
-    renumber(numbers, labels);
+    copyNumbered(labels_, numbers, labels);
     return left;
 }
 

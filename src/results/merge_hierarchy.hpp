@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_MERGE_HIERARCHY_HPP
 #define OPENCV_GWATERSHED_MERGE_HIERARCHY_HPP
 
-#include "shared/region_distance.hpp"
+#include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,10 +15,15 @@ class MergeHierarchy
 public:
     bool empty() const { return num_labels_ == 0; }
 
-    //! Finds the order for all superpixels of a CV_32SC1 label map that touch. Labels below 0 stay.
-    void build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels, int num_labels);
+    //! Finds the order for all superpixels of a CV_32SC1 label map that touch. -1 stays. The map is
+    //! not copied, so what it is cut to must be another one.
+    void build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels, int num_labels,
+               MergeBuffers& buffers);
 
-    //! The label map with num_labels superpixels, or with more if the order ends before. Returns their number.
+    //! Whether the memory of a map is that of the label map.
+    bool holds(const Mat& map) const { return labels_.datastart == map.datastart; }
+
+    //! Writes the label map with num_labels superpixels, or with more if the order ends before. Returns their number.
     int cut(int num_labels, Mat& labels) const;
 
 private:

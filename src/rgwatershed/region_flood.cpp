@@ -4,6 +4,7 @@
 
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

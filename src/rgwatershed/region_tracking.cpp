@@ -6,6 +6,7 @@
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/region_names.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "shared/region_measure.hpp"
 #include "shared/renumber.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {

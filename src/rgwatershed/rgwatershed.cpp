@@ -8,6 +8,7 @@
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/region_labels.hpp"
+#include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -22,7 +23,8 @@ void RGWatershed::reserve(Size size)
 }
 
 //! The five steps of the class documentation. Steps 2 to 4 work on blocks, of which a video keeps the regions.
-int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels)
+int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers,
+                     Mat& labels)
 {
     CV_TRACE_FUNCTION();
     if (!frame.mask.empty())
@@ -38,13 +40,13 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
     {
         const int markers_in_cell = floodBlocks(plan, mask);
-        sweepAndMerge(plan, markers_in_cell);
+        sweepAndMerge(plan, markers_in_cell, merge_buffers);
         if (parameters.temporal)
             tracker_.start(plan, features_[top], labels_[top], regions_);
     }
     settle(frame, plan, num_iterations);
     if (plan.merges_pixels)
-        mergePixels(frame, plan);
+        mergePixels(frame, plan, merge_buffers);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top]);
@@ -90,7 +92,7 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 
 //! Step 4, if there are more regions than asked for. Merging leaves regions that are small where the image varies, and
 //! large where it does not.
-void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
+void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     if (regions_.size() <= plan.num_regions)
@@ -102,10 +104,11 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell)
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers_, labels,
+    merge_buffers.squares.clear(); // variances are not measured
+    mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
-    if (plan.num_markers > MARKERS_WITH_BUFFERS * features_[0].size().area())
-        merge_buffers_ = MergeBuffers();
+    if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
+        merge_buffers = MergeBuffers();
 }
 
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.
@@ -171,15 +174,13 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 
 //! Where time matters least: the last unions are chosen when boundaries are settled, by what varies inside of regions,
 //! too. This follows what people see more than any number of smaller blocks.
-void RGWatershed::mergePixels(const Frame& frame, const Plan& plan)
+void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view(CV_32SC1);
-    measureRegions(features_[0], labels, regions_);
-    measureSquares(features_[0], labels, plan.flood_distance, regions_.size(), merge_buffers_.squares);
+    measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.squares);
     mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
-                        merge_buffers_, labels_[0], regions_);
-    merge_buffers_.squares.clear();
+                        merge_buffers, labels_[0], regions_);
     sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);
 }
 

@@ -22,18 +22,19 @@ public:
     void reserve(Size size);
 
     //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
-    int run(const Frame& frame, const Parameters& parameters, int num_iterations, Mat& labels);
+    int run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers,
+            Mat& labels);
 
     //! Features of the pixels of the last run.
     FeatureMap features() const { return features_[0]; }
 
 private:
     int floodBlocks(const Plan& plan, const Mat& mask);
-    void sweepAndMerge(const Plan& plan, int markers_in_cell);
+    void sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
-    void mergePixels(const Frame& frame, const Plan& plan);
+    void mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
@@ -49,7 +50,6 @@ private:
     std::vector<MarkerBand> bands_;
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;
-    MergeBuffers merge_buffers_;
 };
 
 }}} // namespace

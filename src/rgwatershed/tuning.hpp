@@ -80,6 +80,12 @@ inline int boundaryPrice(double price, double side, float ruler)
     return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
 }
 
+//! Whether buffers of merging are too large to be kept.
+inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
+{
+    return num_markers > MARKERS_WITH_BUFFERS * num_pixels;
+}
+
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {

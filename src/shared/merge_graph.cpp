@@ -3,76 +3,97 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "shared/merge_graph.hpp"
+#include "shared/label_runs.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Writes to `positions`, in order, where two rows differ; it has room for cols + 3. Returns how many these are.
-//! Without branches: each position is written, and the next one over it if there is no difference.
-static int listDifferences(const int* row, const int* other, int cols, int* positions)
+//! Four features.
+static inline v_uint8x16 gather(const Feature* features, const int* positions)
 {
-    int count = 0;
-    for (int x = 0; x < cols; x++)
-    {
-        positions[count] = x;
-        count += row[x] != other[x];
-    }
-    return count;
+    unsigned words[4];
+    for (int i = 0; i < 4; i++)
+        memcpy(words + i, features + positions[i], sizeof(Feature));
+    return v_reinterpret_as_u8(v_uint32x4(words[0], words[1], words[2], words[3]));
 }
 
-//! Adds an edge without branches: what is none, or not complete, is written over by the next.
-static inline void addEdge(int label, int neighbor, int length, int64 contrast, bool complete, EdgeList& to)
+void EdgeBuilder::start(int cols)
 {
-    const MergeEdge edge = { std::min(label, neighbor), std::max(label, neighbor), length, 0, contrast };
-    to.edges[to.count] = edge;
-    to.count += complete & (edge.a >= 0);
+    edges_.count = 0;
+    positions_.resize(cols + NUM_BEHIND);
+    contrasts_.resize(cols + NUM_BEHIND);
+    latest_.resize(1 << LATEST_BITS);
 }
 
-//! Edges between the pixels of a row.
-static void listEdgesRight(const int* row, const Feature* features, int cols, const RegionDistance& distance,
-                           int* positions, EdgeList& to)
+//! Of the pixels at the positions, four at a time.
+template <bool WITH_DEPTH>
+void EdgeBuilder::measureContrasts(const Feature* features, const Feature* others, int count,
+                                   const RegionDistance& distance)
 {
-    const int count = listDifferences(row, row + 1, cols - 1, positions);
+    const int* const positions = positions_.data();
+    int* const contrasts = contrasts_.data();
+    for (int i = 0; i < count; i += 4)
+        v_store(contrasts + i,
+                distance.between<WITH_DEPTH>(gather(features, positions + i), gather(others, positions + i)));
+}
+
+//! The lower one, without a branch: which one it is cannot be foreseen.
+static inline int lowerOf(int a, int b)
+{
+    return a ^ ((a ^ b) & -int(b < a));
+}
+
+//! Most edges are between the same regions as the one before, or as one of the row above.
+void EdgeBuilder::addAll(const int* row, const int* other, int count)
+{
+    edges_.reserve(edges_.count + count);
+    MergeEdge* const edges = edges_.edges.data();
+    size_t* const latest = latest_.data();
+    const int *positions = positions_.data(), *contrasts = contrasts_.data();
+    size_t num_edges = edges_.count;
     for (int i = 0; i < count; i++)
     {
-        const int x = positions[i];
-        addEdge(row[x], row[x + 1], 1, distance(features[x], features[x + 1]), true, to);
+        const int label = row[positions[i]], neighbor = other[positions[i]];
+        const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a;
+        const unsigned hash = unsigned(a) * 0x9E3779B1u + unsigned(b) * 0x85EBCA77u;
+        size_t& place = latest[hash >> (32 - LATEST_BITS)];
+        if (place < num_edges && edges[place].a == a && edges[place].b == b)
+        {
+            edges[place].length++;
+            edges[place].contrast += contrasts[i];
+        }
+        else if (a >= 0)
+        {
+            const MergeEdge edge = { a, b, 1, 0, contrasts[i] };
+            edges[num_edges] = edge;
+            place = num_edges++;
+        }
     }
+    edges_.count = num_edges;
 }
 
-//! Edges between a row and the one below. Those side by side between the same regions are one.
-static void listEdgesBelow(const int* row, const int* below, const Feature* features, const Feature* features_below,
-                           int cols, const RegionDistance& distance, int* positions, EdgeList& to)
+void EdgeBuilder::add(const int* row, const int* other, const Feature* features, const Feature* other_features,
+                      int cols, const RegionDistance& distance)
 {
-    const int count = listDifferences(row, below, cols, positions);
-    positions[count] = 0;
-    int length = 0;
-    int64 contrast = 0;
-    for (int i = 0; i < count; i++)
-    {
-        const int x = positions[i], next = positions[i + 1];
-        const bool ends = (next != x + 1) | (row[next] != row[x]) | (below[next] != below[x]);
-        length++;
-        contrast += distance(features[x], features_below[x]);
-        addEdge(row[x], below[x], length, contrast, ends, to);
-        length = ends ? 0 : length;
-        contrast = ends ? 0 : contrast;
-    }
+    const int count = listDifferences(row, other, cols, positions_.data());
+    std::fill_n(positions_.data() + count, int(NUM_BEHIND), 0);
+    if (distance.with_depth)
+        measureContrasts<true>(features, other_features, count, distance);
+    else
+        measureContrasts<false>(features, other_features, count, distance);
+    addAll(row, other, count);
 }
 
-static void listEdges(const Mat& labels, const Range& range, const Padded<Feature>& features,
-                      const RegionDistance& distance, EdgeRows& rows)
+static void listEdges(const Mat& labels, const Range& rows, const Padded<Feature>& features,
+                      const RegionDistance& distance, EdgeBuilder& builder)
 {
     const int cols = labels.cols;
-    rows.positions.resize(cols + 4);
-    rows.pieces.count = 0;
-    for (int y = range.start; y < range.end; y++)
+    builder.start(cols);
+    for (int y = rows.start; y < rows.end; y++)
     {
         const int* row = labels.ptr<int>(y);
-        rows.pieces.reserve(rows.pieces.count + 2 * cols + 1);
-        listEdgesRight(row, features.row(y), cols, distance, rows.positions.data(), rows.pieces);
+        builder.add(row, row + 1, features.row(y), features.row(y) + 1, cols - 1, distance);
         if (y + 1 < labels.rows)
-            listEdgesBelow(row, labels.ptr<int>(y + 1), features.row(y), features.row(y + 1), cols, distance,
-                           rows.positions.data(), rows.pieces);
+            builder.add(row, labels.ptr<int>(y + 1), features.row(y), features.row(y + 1), cols, distance);
     }
 }
 
@@ -80,18 +101,18 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
                        const RegionDistance& distance)
 {
     CV_TRACE_FUNCTION();
-    const int LOWEST = 16, MOST = 32; // chunks of rows do not depend on the number of threads
     const RegionDistance between_pixels = distance.withoutSurface();
-    const int height = std::max(LOWEST, (labels.rows + MOST - 1) / MOST);
+    const RowChunks chunks(labels.rows);
     setRegions(num_regions);
-    rows_.resize((labels.rows + height - 1) / height);
-    parallel_for_(Range(0, int(rows_.size())), [&](const Range& range)
+    rows_.resize(chunks.size());
+    builders_.resize(chunks.size());
+    parallel_for_(Range(0, chunks.size()), [&](const Range& range)
     {
+        EdgeBuilder& builder = builders_[range.start];
         for (int k = range.start; k < range.end; k++)
         {
-            const Range chunk(k * height, std::min((k + 1) * height, labels.rows));
-            listEdges(labels, chunk, features, between_pixels, rows_[k]);
-            findSegments(rows_[k]);
+            listEdges(labels, chunks[k], features, between_pixels, builder);
+            findSegments(builder.edges(), rows_[k]);
         }
     });
     collect();
@@ -109,16 +130,17 @@ void MergeGraph::setRegions(int num_regions)
 }
 
 //! Regions that touch a row mostly have numbers that are near each other, so segments are long.
-void MergeGraph::findSegments(EdgeRows& rows) const
+void MergeGraph::findSegments(const EdgeList& list, EdgeRows& rows) const
 {
     rows.segments.clear();
-    const std::vector<MergeEdge>& edges = rows.pieces.edges;
-    for (size_t i = 0; i < rows.pieces.count; i++)
+    rows.edges.count = 0;
+    rows.edges.append(list, 0, list.count);
+    for (size_t i = 0; i < list.count; i++)
     {
-        const int list = listOf(edges[i].a, edges[i].b);
-        if (rows.segments.empty() || rows.segments.back().list != list)
+        const int of = listOf(list.edges[i].a, list.edges[i].b);
+        if (rows.segments.empty() || rows.segments.back().list != of)
         {
-            const EdgeRows::Segment segment = { list, i, i };
+            const EdgeRows::Segment segment = { of, i, i };
             rows.segments.push_back(segment);
         }
         rows.segments.back().last = i + 1;
@@ -131,7 +153,7 @@ void MergeGraph::collect()
         for (size_t i = 0; i < rows_[k].segments.size(); i++)
         {
             const EdgeRows::Segment& segment = rows_[k].segments[i];
-            fresh_[segment.list].append(rows_[k].pieces, segment.first, segment.last);
+            fresh_[segment.list].append(rows_[k].edges, segment.first, segment.last);
         }
 }
 
@@ -154,8 +176,8 @@ void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
     {
         const int a = parents[edges[i].a], b = parents[edges[i].b];
         MergeEdge edge = edges[i];
-        edge.a = std::min(a, b);
-        edge.b = std::max(a, b);
+        edge.a = lowerOf(a, b);
+        edge.b = a ^ b ^ edge.a;
         const size_t exists = a != b, is_fresh = changed[a] | changed[b];
         edges[num_known] = fresh_edges[num_fresh] = edge;
         num_known += exists & (is_fresh ^ 1);
@@ -169,6 +191,8 @@ void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
 //! What belongs to another list now is fresh: one of its regions was taken in.
 void MergeGraph::findLeaving(int k)
 {
+    if (numBands() == 1)
+        return;
     EdgeList &fresh = fresh_[k], &leaving = leaving_[k];
     size_t count = 0;
     for (size_t i = 0; i < fresh.count; i++)
@@ -195,12 +219,21 @@ void MergeGraph::handOver()
     }
 }
 
+enum { NONE = -1 }; // in a table of edges
+
+//! Whether there is an edge in a slot, but between other regions. Mostly not; whether there is one at all cannot be
+//! foreseen, so it is no branch.
+static inline bool isAnother(const MergeEdge* edges, int found, const MergeEdge& edge)
+{
+    const MergeEdge& other = edges[found & ~(found >> 31)];
+    return ((other.a ^ edge.a) | (other.b ^ edge.b)) & ~(found >> 31);
+}
+
 //! The table has the index of each edge, in the first free slot; most slots stay free. An edge is written in any case,
 //! and the next one over it if it was there before.
 void MergeGraph::join(int k, std::vector<int>& table)
 {
     EdgeList& list = fresh_[k];
-    const int NONE = -1;
     int bits = 4;
     while ((size_t(1) << bits) < 3 * list.count)
         bits++;
@@ -213,12 +246,13 @@ void MergeGraph::join(int k, std::vector<int>& table)
         MergeEdge edge = edges[i];
         size_t slot = (unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u) >> (32 - bits);
         int found = table[slot];
-        while (found != NONE && (edges[found].a != edge.a || edges[found].b != edge.b))
+        while (isAnother(edges, found, edge))
         {
             slot = (slot + 1) & last_slot;
             found = table[slot];
         }
-        const int length = edge.length, to = found == NONE ? count : found;
+        const int is_new = -int(found == NONE), length = edge.length;
+        const int to = found ^ ((found ^ count) & is_new);
         const int64 contrast = edge.contrast;
         edge.length = 0;
         edge.contrast = 0;
@@ -226,18 +260,9 @@ void MergeGraph::join(int k, std::vector<int>& table)
         edges[to].length += length;
         edges[to].contrast += contrast;
         table[slot] = to;
-        count += found == NONE;
+        count -= is_new;
     }
     list.count = count;
-}
-
-void MergeGraph::forgetCosts()
-{
-    for (size_t k = 0; k < known_.size(); k++)
-    {
-        fresh_[k].append(known_[k], 0, known_[k].count);
-        known_[k].count = 0;
-    }
 }
 
 void MergeGraph::settle(int k)

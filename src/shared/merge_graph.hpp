@@ -38,7 +38,7 @@ struct EdgeList
     }
 };
 
-//! Some rows of a label map, and the edges in them, in raster order: of two regions there may be several.
+//! The edges in some rows of a label map.
 struct EdgeRows
 {
     //! Edges first..last-1, all of one list of the graph.
@@ -48,9 +48,34 @@ struct EdgeRows
         size_t first, last;
     };
 
-    EdgeList pieces;
-    std::vector<int> positions;
+    EdgeList edges;
     std::vector<Segment> segments;
+};
+
+//! The edges that were found in some rows, and what finds them.
+class EdgeBuilder
+{
+public:
+    //! Forgets all edges. Rows have up to so many pixels.
+    void start(int cols);
+
+    //! Adds the edges between the pixels of a row and those beside them in another one, or in the same one shifted.
+    void add(const int* row, const int* other, const Feature* features, const Feature* other_features, int cols,
+             const RegionDistance& distance);
+
+    //! Between two regions there may be several, but few.
+    const EdgeList& edges() const { return edges_; }
+
+private:
+    enum { LATEST_BITS = 10, NUM_BEHIND = 4 };
+
+    template <bool WITH_DEPTH>
+    void measureContrasts(const Feature* features, const Feature* others, int count, const RegionDistance& distance);
+    void addAll(const int* row, const int* other, int count);
+
+    EdgeList edges_;
+    std::vector<int> positions_, contrasts_; // in a row, with room behind them
+    std::vector<size_t> latest_; // for each pair of labels, but shared by many: where an edge between them may be
 };
 
 //! The regions of a label map and the edges between them, while regions are united. Regions lie in bands of consecutive
@@ -79,9 +104,6 @@ public:
     //! Makes one edge of the fresh ones between the same regions.
     void join(int k, std::vector<int>& table);
 
-    //! All edges are fresh again, because costs are to change.
-    void forgetCosts();
-
     //! The costs of the fresh ones are known now.
     void settle(int k);
 
@@ -91,7 +113,7 @@ public:
 private:
     int listOf(int a, int b) const { return (a ^ b) >> BAND_SHIFT ? numBands() : a >> BAND_SHIFT; }
     void setRegions(int num_regions);
-    void findSegments(EdgeRows& rows) const;
+    void findSegments(const EdgeList& list, EdgeRows& rows) const;
     void collect();
     void relabel(int k, const int* parents, const uchar* changed);
     void findLeaving(int k);
@@ -100,6 +122,7 @@ private:
     int num_regions_ = 0;
     std::vector<EdgeList> known_, fresh_, leaving_; // leaving: of each list, those that go to another one
     std::vector<EdgeRows> rows_;
+    std::vector<EdgeBuilder> builders_;
     std::vector<std::vector<int> > tables_;
 };
 

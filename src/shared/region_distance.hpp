@@ -53,14 +53,21 @@ public:
         return distance;
     }
 
-    //! Distance of two pixels.
-    int operator()(const Feature& f, const Feature& g) const
+    //! Distances of four pairs of pixels.
+    template <bool WITH_DEPTH> v_int32x4 between(const v_uint8x16& f, const v_uint8x16& g) const
     {
-        const short* w = weights[(f.depth != 0) & (g.depth != 0)];
-        int sum = w[3] * std::abs(f.depth - g.depth);
-        for (int k = 0; k < 3; k++)
-            sum += w[k] * std::abs(f.color[k] - g.color[k]);
-        return sum / (FULL_WEIGHT / STEPS_PER_LEVEL);
+        v_uint16x8 low, high;
+        v_expand(v_absdiff(f, g), low, high);
+        v_int32x4 colors, depths;
+        v_int32x4 first = v_setall_s32(pairOf(weights[0], 0)), second = v_setall_s32(pairOf(weights[0], 2));
+        splitPairs(v_reinterpret_as_s16(low), v_reinterpret_as_s16(high), colors, depths);
+        if (WITH_DEPTH)
+        {
+            const v_int32x4 no_depth = missingDepth(f, g);
+            first = choose(no_depth, 0);
+            second = choose(no_depth, 2);
+        }
+        return v_shr<4>(dotProduct(colors, first, dotProduct(depths, second, v_setzero_s32())));
     }
 
     //! The square of the distance of a pixel to a region, in squared levels.
@@ -207,6 +214,13 @@ private:
         const v_int16x8 lower = v_min(v_reinterpret_as_s16(features), v_reinterpret_as_s16(means));
         const v_int32x4 depth = v_dotprod(lower, v_reinterpret_as_s16(v_setall_s32(pairOf(SECOND, 0))));
         return v_shr<31>(subtract(depth, v_setall_s32(1)));
+    }
+
+    //! All bits where one of two features has no depth.
+    static v_int32x4 missingDepth(const v_uint8x16& f, const v_uint8x16& g)
+    {
+        const v_uint32x4 depths = v_shr<24>(v_reinterpret_as_u32(v_min(f, g)));
+        return v_shr<31>(subtract(v_reinterpret_as_s32(depths), v_setall_s32(1)));
     }
 
     //! A pair of weights: those without depth where it is missing.

@@ -26,35 +26,6 @@ static inline int neighborOf(int region, uint64 price)
     return int(unsigned(price)) ^ region;
 }
 
-void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
-                    std::vector<int64>& squares)
-{
-    CV_TRACE_FUNCTION();
-    int table[3][256];
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 256; i++)
-        {
-            const int weighted = distance.weights[0][k] * i / (FULL_WEIGHT / STEPS_PER_LEVEL);
-            table[k][i] = weighted * weighted;
-        }
-    squares.assign(num_regions, 0);
-    for (int y = 0; y < labels.rows; y++)
-    {
-        const int* row = labels.ptr<int>(y);
-        const Feature* feature = features.row(y);
-        for (int x = 0; x < labels.cols;)
-        {
-            const int label = row[x];
-            int64 run = 0;
-            for (; x < labels.cols && row[x] == label; x++)
-                for (int k = 0; k < 3; k++)
-                    run += table[k][feature[x].color[k]];
-            if (label >= 0)
-                squares[label] += run;
-        }
-    }
-}
-
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
                              Regions& regions)
     : distance_(distance), rules_(rules), b_(buffers), regions_(regions), num_left_(regions.size())
@@ -62,10 +33,11 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& r
     start();
 }
 
-//! Sets the area that is usual when so many regions are left.
+//! Sets the area that is usual when so many regions are left. All costs change with it.
 void SimilarMerger::expect(int num_regions)
 {
     log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
+    expects_anew_ = true;
 }
 
 void SimilarMerger::run(int num_regions)
@@ -98,7 +70,6 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
             continue;
         expected = leadingBits(num_left_);
         expect(expected);
-        b_.graph.forgetCosts();
     }
     return unions;
 }
@@ -194,14 +165,18 @@ void SimilarMerger::evaluate()
         evaluate(k, table);
     });
     evaluate(b_.graph.numBands(), b_.table);
+    expects_anew_ = false;
 }
 
 void SimilarMerger::evaluate(int k, std::vector<int>& table)
 {
     b_.graph.join(k, table);
-    UnionCost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_)
-        .find(b_.graph.fresh(k));
+    const UnionCost cost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_);
+    if (!expects_anew_)
+        cost.find(b_.graph.fresh(k));
     b_.graph.settle(k);
+    if (expects_anew_)
+        cost.find(b_.graph.known(k));
     findBest(b_.graph.known(k));
 }
 

@@ -9,10 +9,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Sums of the squared colours of regions, weighted, in 1/256 of a squared level.
-void measureSquares(const Padded<Feature>& features, const Mat& labels, const RegionDistance& distance, int num_regions,
-                    std::vector<int64>& squares);
-
 //! A union that may be done in a round.
 struct MergePair
 {
@@ -80,6 +76,7 @@ private:
     const MergeRules rules_;
     double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
+    bool expects_anew_;  // another area than the known costs have
     MergeBuffers& b_;
     Regions& regions_;
     int num_left_;

@@ -45,45 +45,4 @@ void Regions::unite(int from, int to)
     update(to);
 }
 
-void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions)
-{
-    CV_TRACE_FUNCTION();
-    regions.surfaces.start(features.camera, regions.size());
-    std::vector<SurfaceSum>& sums = regions.surfaces.sums;
-    for (int y = 0; y < labels.rows; y++)
-    {
-        const int* row = labels.ptr<int>(y);
-        const Feature* feature = features.row(y);
-        for (int x = 0; x < labels.cols; x++)
-            if (row[x] >= 0)
-                sums[row[x]].add(feature[x], features.normalAt(Point(x, y)), Point(x, y));
-    }
-    regions.update();
-}
-
-void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)
-{
-    CV_TRACE_FUNCTION();
-    regions.surfaces.present = false;
-    regions.clear(regions.size());
-    for (int y = 0; y < labels.rows; y++)
-    {
-        const int* row = labels.ptr<int>(y);
-        const Feature* feature = features.row(y);
-        for (int x = 0; x < labels.cols;)
-        {
-            const int label = row[x];
-            RegionSum run = RegionSum();
-            for (; x < labels.cols && row[x] == label; x++)
-                run.add(feature[x]);
-            if (label >= 0)
-                regions.sums[label].add(run);
-        }
-    }
-    if (features.withNormals())
-        measureSurfaces(features, labels, regions);
-    else
-        regions.update();
-}
-
 }}} // namespace

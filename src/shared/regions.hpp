@@ -119,12 +119,6 @@ struct Regions
     }
 };
 
-//! Computes the surfaces of regions whose other sums are known, and all means.
-void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions);
-
-//! Computes sums and means of all regions. Labels below 0 do not count.
-void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);
-
 }}} // namespace
 
 #endif

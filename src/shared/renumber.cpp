@@ -37,4 +37,24 @@ void renumber(const std::vector<int>& numbers, Mat& labels)
     });
 }
 
+void copyNumbered(const Mat& from, const std::vector<int>& numbers, Mat& to)
+{
+    std::vector<int> shifted(1, -1);
+    shifted.insert(shifted.end(), numbers.begin(), numbers.end());
+    const int* const table = shifted.data() + 1;
+    parallel_for_(Range(0, from.rows), [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+        {
+            const int *row = from.ptr<int>(y), *const end = row + from.cols;
+            int* numbered = to.ptr<int>(y);
+            for (; row + 4 <= end; row += 4, numbered += 4)
+                for (int k = 0; k < 4; k++)
+                    numbered[k] = table[row[k]];
+            for (; row < end; row++)
+                *numbered++ = table[*row];
+        }
+    });
+}
+
 }}} // namespace

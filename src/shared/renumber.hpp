@@ -16,6 +16,9 @@ int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers);
 //! Replaces each label by its number. Labels below 0 stay.
 void renumber(const std::vector<int>& numbers, Mat& labels);
 
+//! Writes the number of each label to another map of the same size. There are no labels below -1, which stays.
+void copyNumbered(const Mat& from, const std::vector<int>& numbers, Mat& to);
+
 }}} // namespace
 
 #endif

@@ -43,6 +43,12 @@ template <typename V> inline auto chooseDiv(const V& a, const V& b, int) -> decl
 }
 template <typename V> inline V chooseDiv(const V& a, const V& b, long) { return a / b; }
 
+template <typename V> inline auto chooseEqual(const V& a, const V& b, int) -> decltype(v_eq(a, b))
+{
+    return v_eq(a, b);
+}
+template <typename V> inline V chooseEqual(const V& a, const V& b, long) { return a == b; }
+
 //! The bits of both.
 template <typename V> inline V bitAnd(const V& a, const V& b) { return chooseAnd(a, b, 0); }
 
@@ -51,6 +57,9 @@ template <typename V> inline V subtract(const V& a, const V& b) { return chooseS
 
 //! a + b; saturated for elements of 8 and 16 bits.
 template <typename V> inline V add(const V& a, const V& b) { return chooseAdd(a, b, 0); }
+
+//! All bits of the elements that are the same, none of the others.
+template <typename V> inline V equal(const V& a, const V& b) { return chooseEqual(a, b, 0); }
 
 inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
 inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }

@@ -1,0 +1,86 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_LABEL_SUMS_HPP
+#define OPENCV_GWATERSHED_LABEL_SUMS_HPP
+
+#include "shared/label_runs.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Sums over the pixels of each label in some rows, for those labels that are there.
+template <typename Sum> class SumsOfRows
+{
+public:
+    //! Of each label, `slots` names the sum that it has if it has one; else it may be anything.
+    //! Calls addRun(sum, y, xs) for each run of pixels of one label.
+    template <typename AddRun>
+    void add(const Mat& labels, const Range& rows, unsigned* slots, const AddRun& addRun)
+    {
+        std::vector<int> positions(labels.cols + 4);
+        int* const ends = positions.data();
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            const int* row = labels.ptr<int>(y);
+            const int count = listDifferences(row, row + 1, labels.cols - 1, ends);
+            ends[count] = labels.cols - 1;
+            for (int i = 0, x = 0; i <= count; i++)
+            {
+                const int label = row[x], end = ends[i] + 1;
+                if (label >= 0)
+                    addRun(sumOf(label, slots[label]), y, Range(x, end));
+                x = end;
+            }
+        }
+    }
+
+    void addTo(std::vector<Sum>& sums) const
+    {
+        for (size_t i = 0; i < parts_.size(); i++)
+            sums[parts_[i].label].add(parts_[i].sum);
+    }
+
+private:
+    struct Part
+    {
+        int label;
+        Sum sum;
+    };
+
+    Sum& sumOf(int label, unsigned& slot)
+    {
+        if (slot >= parts_.size() || parts_[slot].label != label)
+        {
+            const Part part = { label, Sum() };
+            slot = unsigned(parts_.size());
+            parts_.push_back(part);
+        }
+        return parts_[slot].sum;
+    }
+
+    std::vector<Part> parts_;
+};
+
+//! Sums over the pixels of each label of a CV_32SC1 map. Labels below 0 do not count. Calls addRun(sum, y, xs) for each
+//! run of pixels of one label in a row, at the same time for different rows.
+//! @note Sums must be of integers, so that their order does not matter.
+template <typename Sum, typename AddRun>
+void sumByLabel(const Mat& labels, const AddRun& addRun, std::vector<Sum>& sums)
+{
+    const RowChunks chunks(labels.rows);
+    std::vector<SumsOfRows<Sum> > parts(chunks.size());
+    parallel_for_(Range(0, chunks.size()), [&](const Range& range)
+    {
+        std::vector<unsigned> slots(sums.size());
+        for (int k = range.start; k < range.end; k++)
+            parts[k].add(labels, chunks[k], slots.data(), addRun);
+    });
+    std::fill(sums.begin(), sums.end(), Sum());
+    for (size_t k = 0; k < parts.size(); k++)
+        parts[k].addTo(sums);
+}
+
+}}} // namespace
+
+#endif
