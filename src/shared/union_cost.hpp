@@ -62,8 +62,8 @@ inline int logarithm(float value)
 //! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
 //! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
 //! these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet end to
-//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. The cost is the same for
-//! both orders of the regions.
+//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. The cost is the same
+//! for both orders of the regions.
 class UnionCost
 {
 public:
