@@ -182,7 +182,8 @@ void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& l
     for (int y = rows.start; y < rows.end; y++)
     {
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
+        const int first = masks.index(Point(0, 2 * y));
+        list.addRow(cols, first, masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
             in_upper = findLeavers(loadBytes(upper, x, cols, INTERIOR));
             in_lower = findLeavers(loadBytes(lower, x, cols, INTERIOR));
@@ -199,7 +200,8 @@ void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& ma
     {
         uchar* row = marks.row(y);
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
-        list.addRow(cols, masks.index(Point(0, 2 * y)), masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
+        const int first = masks.index(Point(0, 2 * y));
+        list.addRow(cols, first, masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
             const v_uint8x16 of_quads = loadBytes(row, x / 2, num_quads, 0);
             v_uint8x16 of_pixels, further;

@@ -118,10 +118,15 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
     collect();
 }
 
+//! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
 void MergeGraph::setRegions(int num_regions)
 {
-    const int num_bands = (num_regions + BAND - 1) / BAND;
+    const int SMALLEST = 9, LARGEST = 11, FEW = 8; // bits of numbers of regions
     num_regions_ = num_regions;
+    band_shift_ = SMALLEST;
+    while (band_shift_ < LARGEST && (num_regions >> band_shift_) >= FEW)
+        band_shift_++;
+    const int num_bands = (num_regions + (1 << band_shift_) - 1) >> band_shift_;
     known_.resize(num_bands + 1);
     fresh_.resize(num_bands + 1);
     leaving_.resize(num_bands + 1);
@@ -159,8 +164,7 @@ void MergeGraph::collect()
 
 void MergeGraph::relabel(const std::vector<int>& parents, const std::vector<uchar>& changed)
 {
-    forBands([&](int k, std::vector<int>&) { relabel(k, parents.data(), changed.data()); });
-    relabel(numBands(), parents.data(), changed.data());
+    forLists([&](int k, std::vector<int>&) { relabel(k, parents.data(), changed.data()); });
     handOver();
 }
 
@@ -229,46 +233,45 @@ static inline bool isAnother(const MergeEdge* edges, int found, const MergeEdge&
     return ((other.a ^ edge.a) | (other.b ^ edge.b)) & ~(found >> 31);
 }
 
-//! The table has the index of each edge, in the first free slot; most slots stay free. An edge is written in any case,
-//! and the next one over it if it was there before.
-void MergeGraph::join(int k, std::vector<int>& table)
+//! Makes one edge of those between the same regions. Returns how many there are then. The table, of so many bits, has
+//! the index of each edge, in the first free slot; most slots stay free. An edge is written in any case, and the next
+//! one over it if it was there before.
+static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* table, MergeEdge* edges)
 {
-    EdgeList& list = fresh_[k];
-    int bits = 4;
-    while ((size_t(1) << bits) < 3 * list.count)
-        bits++;
-    table.assign(size_t(1) << bits, NONE);
-    const size_t last_slot = table.size() - 1;
-    MergeEdge* edges = list.edges.data();
+    const unsigned last_slot = (1u << bits) - 1;
     int count = 0;
-    for (size_t i = 0; i < list.count; i++)
+    for (const MergeEdge* end = from + num_edges; from != end; from++)
     {
-        MergeEdge edge = edges[i];
-        size_t slot = (unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u) >> (32 - bits);
+        unsigned slot = (unsigned(from->a) * 0x9E3779B1u ^ unsigned(from->b) * 0x85EBCA77u) >> (32 - bits);
         int found = table[slot];
-        while (isAnother(edges, found, edge))
+        while (isAnother(edges, found, *from))
         {
             slot = (slot + 1) & last_slot;
             found = table[slot];
         }
-        const int is_new = -int(found == NONE), length = edge.length;
-        const int to = found ^ ((found ^ count) & is_new);
-        const int64 contrast = edge.contrast;
-        edge.length = 0;
-        edge.contrast = 0;
-        edges[count] = edge;
-        edges[to].length += length;
-        edges[to].contrast += contrast;
+        const int is_new = -int(found == NONE), to = found ^ ((found ^ count) & is_new);
+        const MergeEdge empty = { from->a, from->b, 0, 0, 0 };
+        edges[count] = empty;
+        edges[to].length += from->length;
+        edges[to].contrast += from->contrast;
         table[slot] = to;
         count -= is_new;
     }
-    list.count = count;
+    return size_t(count);
 }
 
-void MergeGraph::settle(int k)
+size_t MergeGraph::join(int k, std::vector<int>& table)
 {
-    known_[k].append(fresh_[k], 0, fresh_[k].count);
-    fresh_[k].count = 0;
+    EdgeList &known = known_[k], &fresh = fresh_[k];
+    const size_t first = known.count;
+    int bits = 4;
+    while ((size_t(1) << bits) < 3 * fresh.count)
+        bits++;
+    table.assign(size_t(1) << bits, NONE);
+    known.reserve(first + fresh.count);
+    known.count += joinEdges(fresh.edges.data(), fresh.count, bits, table.data(), known.edges.data() + first);
+    fresh.count = 0;
+    return first;
 }
 
 }}} // namespace

@@ -79,69 +79,65 @@ private:
 };
 
 //! The regions of a label map and the edges between them, while regions are united. Regions lie in bands of consecutive
-//! numbers. Edges inside of a band are in its list, the few between two bands in one more list. Bands depend on nothing
-//! but the numbers, so that they can be worked on at the same time; and each fits into a cache.
+//! numbers. Edges inside of a band are in its list, the few between two bands in one more list, the last one. Bands
+//! depend on nothing but the numbers, so that they can be worked on at the same time; and each fits into a cache.
 class MergeGraph
 {
 public:
-    enum { BAND_SHIFT = 11, BAND = 1 << BAND_SHIFT }; //!< regions in a band
-
     int numBands() const { return int(known_.size()) - 1; }
-    Range band(int k) const { return Range(k * BAND, std::min((k + 1) * BAND, num_regions_)); }
+    Range band(int k) const { return Range(k << band_shift_, std::min((k + 1) << band_shift_, num_regions_)); }
 
-    //! The edges of a band, or for numBands() those between bands. Those of known cost.
-    EdgeList& known(int k) { return known_[k]; }
-    //! The others. Two regions may have several of them, until they are joined.
-    EdgeList& fresh(int k) { return fresh_[k]; }
+    //! The edges of a list, each between two regions that no other one is between.
+    EdgeList& edges(int k) { return known_[k]; }
 
     //! The graph of a CV_32SC1 label map; labels below 0 have no edges.
     void build(const Mat& labels, int num_regions, const Padded<Feature>& features, const RegionDistance& distance);
 
-    //! Gives the edges the regions that took theirs in, in one step. Those of regions that changed become fresh.
-    //! There must be no fresh ones before.
+    //! Gives the edges the regions that took theirs in, in one step. Those of regions that changed are set aside until
+    //! they are joined.
     void relabel(const std::vector<int>& parents, const std::vector<uchar>& changed);
 
-    //! Makes one edge of the fresh ones between the same regions.
-    void join(int k, std::vector<int>& table);
-
-    //! The costs of the fresh ones are known now.
-    void settle(int k);
+    //! Adds the edges that were set aside to the others of a list, one for each two regions. Returns where they begin.
+    size_t join(int k, std::vector<int>& table);
 
     //! Calls body(k, table) for all bands, at the same time if that pays. A table is for calls one after the other.
-    template <typename Body> void forBands(const Body& body);
+    template <typename Body> void forBands(const Body& body) { forAll(numBands(), body); }
+    //! The same for all lists of edges.
+    template <typename Body> void forLists(const Body& body) { forAll(numBands() + 1, body); }
 
 private:
-    int listOf(int a, int b) const { return (a ^ b) >> BAND_SHIFT ? numBands() : a >> BAND_SHIFT; }
+    int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);
     void findSegments(const EdgeList& list, EdgeRows& rows) const;
     void collect();
     void relabel(int k, const int* parents, const uchar* changed);
     void findLeaving(int k);
     void handOver();
+    template <typename Body> void forAll(int count, const Body& body);
 
-    int num_regions_ = 0;
-    std::vector<EdgeList> known_, fresh_, leaving_; // leaving: of each list, those that go to another one
+    int num_regions_ = 0, band_shift_ = 0;
+    std::vector<EdgeList> known_, fresh_, leaving_; // of each list: fresh are set aside, leaving go to another list
     std::vector<EdgeRows> rows_;
     std::vector<EdgeBuilder> builders_;
     std::vector<std::vector<int> > tables_;
 };
 
-template <typename Body> void MergeGraph::forBands(const Body& body)
+template <typename Body> void MergeGraph::forAll(int count, const Body& body)
 {
-    const size_t FEW = 8192; // edges
+    const size_t FEW = 2048; // edges
     size_t num_edges = 0;
-    for (int k = 0; k < numBands(); k++)
+    for (size_t k = 0; k < known_.size(); k++)
         num_edges += known_[k].count + fresh_[k].count;
-    tables_.resize(numBands() + 1);
+    tables_.resize(known_.size());
     const auto work = [&](const Range& range)
     {
         for (int k = range.start; k < range.end; k++)
             body(k, tables_[range.start]);
     };
     if (num_edges < FEW)
-        work(Range(0, numBands()));
+        work(Range(0, count));
     else
-        parallel_for_(Range(0, numBands()), work);
+        parallel_for_(Range(0, count), work);
 }
 
 }}} // namespace

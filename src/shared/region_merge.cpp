@@ -44,7 +44,8 @@ void SimilarMerger::run(int num_regions)
 {
     expect(num_regions);
     while (num_left_ > num_regions && runRound(num_regions, false))
-        b_.graph.relabel(b_.parents, b_.changed);
+        if (num_left_ > num_regions)
+            b_.graph.relabel(b_.parents, b_.changed);
 }
 
 //! The two highest bits: how many regions there are, so roughly that costs are taken anew a few times only.
@@ -157,27 +158,27 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
 //! Finds the costs of all unions, and the best one of each region.
 void SimilarMerger::evaluate()
 {
-    b_.graph.forBands([&](int k, std::vector<int>& table)
+    const int num_bands = b_.graph.numBands();
+    b_.graph.forLists([&](int k, std::vector<int>& table)
     {
+        findCosts(k, table);
+        if (k == num_bands)
+            return; // edges between bands come when these are done
         const std::vector<int>& active = b_.bands[k].active;
         for (size_t i = 0; i < active.size(); i++)
             b_.best[active[i]] = NO_PRICE;
-        evaluate(k, table);
+        findBest(b_.graph.edges(k));
     });
-    evaluate(b_.graph.numBands(), b_.table);
+    findBest(b_.graph.edges(num_bands));
     expects_anew_ = false;
 }
 
-void SimilarMerger::evaluate(int k, std::vector<int>& table)
+//! The costs of the edges of a list that are not known.
+void SimilarMerger::findCosts(int k, std::vector<int>& table)
 {
-    b_.graph.join(k, table);
-    const UnionCost cost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_);
-    if (!expects_anew_)
-        cost.find(b_.graph.fresh(k));
-    b_.graph.settle(k);
-    if (expects_anew_)
-        cost.find(b_.graph.known(k));
-    findBest(b_.graph.known(k));
+    const size_t first = b_.graph.join(k, table);
+    UnionCost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_)
+        .find(b_.graph.edges(k), expects_anew_ ? 0 : first);
 }
 
 void SimilarMerger::findBest(const EdgeList& list)

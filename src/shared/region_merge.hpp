@@ -63,7 +63,7 @@ private:
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
-    void evaluate(int k, std::vector<int>& table);
+    void findCosts(int k, std::vector<int>& table);
     void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);

@@ -186,10 +186,10 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
 {
 }
 
-void UnionCost::find(EdgeList& list) const
+void UnionCost::find(EdgeList& list, size_t first) const
 {
-    const size_t rest = list.count % 4, last = list.count - rest;
-    for (size_t i = 0; i < last; i += 4)
+    const size_t rest = (list.count - first) % 4, last = list.count - rest;
+    for (size_t i = first; i < last; i += 4)
         findFour(&list.edges[i]);
     if (rest == 0)
         return;

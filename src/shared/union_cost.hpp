@@ -71,8 +71,8 @@ public:
     UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
               const SurfaceMean* surfaces, int log_usual_area);
 
-    //! Finds the costs of some edges.
-    void find(EdgeList& list) const;
+    //! Finds the costs of the edges from one on.
+    void find(EdgeList& list, size_t first) const;
 
 private:
     void findFour(MergeEdge* edges) const;
