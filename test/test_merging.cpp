@@ -59,7 +59,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
     int few = 1; // n, with zeros for all but the two highest bits, is few * (n / few)
     while (n / few >= 4)
         few *= 2;
-    const double usual_area = std::max(1., 3.2 * double(image.total()) / (n / few * few));
+    const double usual_area = std::max(1., 2.7 * double(image.total()) / (n / few * few));
     std::map<std::pair<int, int>, double> costs;
     std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)

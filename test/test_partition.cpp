@@ -183,13 +183,13 @@ static Mat segmentTurned(const Mat& image, bool mirrored, int algorithm)
 }
 
 //! Mean agreement with transposed and with mirrored images.
-static Vec2d meanAgreement(int algorithm)
+static Vec2d meanAgreement(int algorithm, Size size)
 {
     const int count = 6;
     Vec2d mean(0, 0);
     for (int i = 0; i < count; i++)
     {
-        const Mat image = makeScene(Size(240, 240), theRNG()), contours = thickContours(segment(image, algorithm, 20));
+        const Mat image = makeScene(size, theRNG()), contours = thickContours(segment(image, algorithm, 20));
         for (int mirrored = 0; mirrored < 2; mirrored++)
         {
             const Mat turned = segmentTurned(image, mirrored != 0, algorithm);
@@ -201,11 +201,23 @@ static Vec2d meanAgreement(int algorithm)
 
 TEST(ximgproc_SuperpixelGWatershed, has_no_direction)
 {
-    const Vec2d plain = meanAgreement(GWATERSHED), guided = meanAgreement(RGWATERSHED);
+    const Size size(240, 240);
+    const Vec2d plain = meanAgreement(GWATERSHED, size), guided = meanAgreement(RGWATERSHED, size);
     EXPECT_GE(plain[0], 0.95) << "transposed";
     EXPECT_GE(plain[1], 0.95) << "mirrored";
     EXPECT_GE(guided[0], 0.84) << "transposed"; // scenes have noise; on photographs it is 0.93
-    EXPECT_GE(guided[1], 0.84) << "mirrored";   // and 0.90, if they divide into whole blocks
+    EXPECT_GE(guided[1], 0.84) << "mirrored";   // and 0.91
+}
+
+// Where blocks do not divide the image, short ones lie in the middle.
+TEST(ximgproc_SuperpixelGWatershed, has_no_direction_where_blocks_do_not_divide_the_image)
+{
+    for (int rest = 1; rest < 4; rest++)
+    {
+        const Vec2d agreement = meanAgreement(RGWATERSHED, Size(240 + rest, 160 + rest));
+        EXPECT_GE(agreement[0], 0.86) << "transposed, " << rest;
+        EXPECT_GE(agreement[1], 0.90) << "mirrored, " << rest;
+    }
 }
 
 // RGWATERSHED floods blocks of pixels and merges what it found, so that a block more to one side

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_BOUNDARY_LIST_HPP
 #define OPENCV_GWATERSHED_BOUNDARY_LIST_HPP
 
+#include "rgwatershed/block_grid.hpp"
 #include "rgwatershed/neighbor_masks.hpp"
 #include "shared/regions.hpp"
 
@@ -57,8 +58,8 @@ private:
 //! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
 
-//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels, which have a side. None is without a label.
-void findMasksInBlocks(const Padded<int>& blocks, int side, const Range& rows, Padded<uchar>& masks);
+//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels. None is without a label.
+void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks);
 
 // Each of these adds some rows of quads to a list.
 

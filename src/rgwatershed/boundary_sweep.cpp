@@ -200,7 +200,7 @@ void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rul
     }, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const FeatureMap& features,
+void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
                                   const SweepRules& rules, Padded<int>& labels, Regions& regions)
 {
     begin(features.size());
@@ -209,8 +209,8 @@ void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, int side, const Fea
     {
         const Range pixel_rows(2 * rows.start, std::min(2 * rows.end, labels.size().height));
         clearMarks(rows);
-        spreadLabels(blocks, side, pixel_rows, labels);
-        findMasksInBlocks(blocks, side, pixel_rows, masks_);
+        spreadLabels(blocks, grid, pixel_rows, labels);
+        findMasksInBlocks(blocks, grid, pixel_rows, masks_);
         listBoundary(masks_, rows, list);
     }, features, rules, labels, regions);
 }

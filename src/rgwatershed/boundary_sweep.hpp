@@ -37,9 +37,9 @@ public:
     //! Sweeps over the whole boundary.
     void sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
-    //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first, which have a side.
-    void sweepBlocks(const Padded<int>& blocks, int side, const FeatureMap& features, const SweepRules& rules,
-                     Padded<int>& labels, Regions& regions);
+    //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first.
+    void sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
+                     const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
     //! Sweeps around the pixels that moved in the sweep before, of the same labels, until none does.
     void sweepAgain(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,

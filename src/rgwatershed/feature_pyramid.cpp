@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/feature_pyramid.hpp"
+#include "rgwatershed/tuning.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 #include <numeric>
 
@@ -69,24 +70,58 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(depth))));
 }
 
-static void halveFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& halved)
+//! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
+//! Returns the row itself if there is none.
+static const Feature* fillBlocks(const Feature* row, const BlockAxis& blocks, AutoBuffer<Feature>& filled)
 {
-    const Size size = features.size();
+    if (blocks.missing == 0)
+        return row;
+    const int end = blocks.start(blocks.short_block + 1), length = blocks.start(blocks.count);
+    filled.allocate(blocks.side * blocks.count);
+    std::copy_n(row, end, filled.data());
+    std::fill_n(filled.data() + end, blocks.missing, row[end - 1]);
+    std::copy_n(row + end, length - end, filled.data() + end + blocks.missing);
+    return filled.data();
+}
+
+//! The rows of elements of a row of blocks.
+class RowsOfBlocks
+{
+public:
+    RowsOfBlocks(const Padded<Feature>& features, const BlockGrid& grid) : features_(features), grid_(grid) {}
+
+    //! Row i of those of row y of blocks. It is valid until the same i is asked for again.
+    const Feature* row(int y, int i)
+    {
+        const int last = grid_.rows.start(y + 1) - 1;
+        return fillBlocks(features_.row(std::min(grid_.rows.start(y) + i, last)), grid_.columns, filled_[i]);
+    }
+
+private:
+    const Padded<Feature>& features_;
+    const BlockGrid& grid_;
+    AutoBuffer<Feature> filled_[3];
+};
+
+static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
+                          Padded<Feature>& halved)
+{
     const int width = halved.size().width;
+    RowsOfBlocks elements(features, grid);
     for (int y = rows.start; y < rows.end; y++)
     {
-        const Feature* upper = features.row(2 * y);
-        const Feature* lower = features.row(std::min(2 * y + 1, size.height - 1));
+        const Feature* upper = elements.row(y, 0);
+        const Feature* lower = elements.row(y, 1);
         Feature* to = halved.row(y);
         int x = 0;
-        for (; x <= size.width / 2 - 4; x += 4)
+        for (; x <= width - 4; x += 4)
             halveRow(upper + 2 * x, lower + 2 * x, with_depth, to + x);
         if (x == width)
             continue;
         Feature last_upper[8], last_lower[8], last[4];
         for (int i = 0; i < 8; i++)
         {
-            const int from = std::min(2 * x + i, size.width - 1);
+            const int from = std::min(2 * x + i, 2 * width - 1);
             last_upper[i] = upper[from];
             last_lower[i] = lower[from];
         }
@@ -113,28 +148,27 @@ static inline void meanOfColumns(const ushort* sums, Feature* to)
     v_pack_store(to->color, v_mul_hi(sum, v_setall_u16(NINTH)));
 }
 
-static void thirdFeatures(const Padded<Feature>& features, bool with_depth, const Range& rows, Padded<Feature>& thirds)
+static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
+                          Padded<Feature>& thirds)
 {
-    const Size size = features.size();
     const int width = thirds.size().width, CHANNELS = int(sizeof(Feature));
     std::vector<ushort> sums(CHANNELS * 3 * (width + 1)); // blocks are taken in pairs
     std::vector<Feature> means(width + 1);
+    RowsOfBlocks elements(features, grid);
     for (int y = rows.start; y < rows.end; y++)
     {
         const Feature* from[3];
         for (int i = 0; i < 3; i++)
-            from[i] = features.row(std::min(3 * y + i, size.height - 1));
-        addRows(from, size.width, sums.data());
-        for (int x = size.width; x < 3 * width; x++)
-            std::copy_n(&sums[CHANNELS * (size.width - 1)], CHANNELS, &sums[CHANNELS * x]);
+            from[i] = elements.row(y, i);
+        addRows(from, 3 * width, sums.data());
         for (int x = 0; x < width; x += 2)
             meanOfColumns(&sums[3 * CHANNELS * x], &means[x]);
         for (int x = 0; with_depth && x < width; x++)
         {
-            const Feature* elements[9];
+            const Feature* of_block[9];
             for (int i = 0; i < 9; i++)
-                elements[i] = from[i / 3] + std::min(3 * x + i % 3, size.width - 1);
-            means[x].depth = meanDepth(elements, 9);
+                of_block[i] = from[i / 3] + 3 * x + i % 3;
+            means[x].depth = meanDepth(of_block, 9);
         }
         std::copy(means.begin(), means.begin() + width, thirds.row(y));
     }
@@ -191,29 +225,43 @@ static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureM
     }
 }
 
+//! Some rows of a level.
+static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& levels, int level, const Range& rows,
+                     FeatureMap* features)
+{
+    const Mat &color = frame.color, &depth = frame.depth;
+    if (level == 0)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+            makeFeatureRow(color.ptr(y), color.channels(), lab_input, depth.empty() ? 0 : depth.ptr(y), color.cols,
+                           features[0].row(y));
+        return;
+    }
+    const BlockGrid grid = levels.grid(level, color.size());
+    const auto makeBlocks = levels.ratio(level) == 3 ? thirdFeatures : halveFeatures;
+    makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level]);
+}
+
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
 {
     CV_TRACE_FUNCTION();
-    const int BAND_HEIGHT = 24; // while its rows are in the cache
-    CV_DbgAssert(BAND_HEIGHT % levels.side(levels.top) == 0); // a band has whole blocks on every level
-    const Mat &color = frame.color, &depth = frame.depth;
     createLevels(frame, levels, features);
-    parallel_for_(Range(0, (color.rows + BAND_HEIGHT - 1) / BAND_HEIGHT), [&](const Range& range)
+    const int BAND_HEIGHT = 24; // about, while its rows are in the cache
+    const int height = BAND_HEIGHT / levels.side(levels.top), num_rows = features[levels.top].size().height;
+    parallel_for_(Range(0, (num_rows + height - 1) / height), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            for (int level = 0; level <= levels.top; level++)
+        {
+            Range rows[MAX_LEVEL + 1]; // on each level; blocks of the last one are whole
+            rows[levels.top] = Range(i * height, std::min((i + 1) * height, num_rows));
+            for (int level = levels.top; level > 0; level--)
             {
-                const int height = BAND_HEIGHT / levels.side(level);
-                const Range rows(i * height, std::min((i + 1) * height, features[level].size().height));
-                if (level == 0)
-                    for (int y = rows.start; y < rows.end; y++)
-                        makeFeatureRow(color.ptr(y), color.channels(), lab_input, depth.empty() ? 0 : depth.ptr(y),
-                                       color.cols, features[0].row(y));
-                else if (levels.ratio(level) == 3)
-                    thirdFeatures(features[level - 1], !depth.empty(), rows, features[level]);
-                else
-                    halveFeatures(features[level - 1], !depth.empty(), rows, features[level]);
+                const BlockAxis blocks = levels.grid(level, frame.color.size()).rows;
+                rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
             }
+            for (int level = 0; level <= levels.top; level++)
+                makeRows(frame, lab_input, levels, level, rows[level], features);
+        }
     });
 }
 

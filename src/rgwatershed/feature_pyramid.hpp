@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_FEATURE_PYRAMID_HPP
 #define OPENCV_GWATERSHED_FEATURE_PYRAMID_HPP
 
+#include "rgwatershed/block_grid.hpp"
 #include "shared/features.hpp"
 #include "shared/frame.hpp"
 
@@ -15,11 +16,17 @@ struct BlockLevels
 {
     int top;  //!< the last level
     int base; //!< side of the blocks of level 1 in pixels, 2 or 3; it doubles on each level after it
+    bool centered; //!< short blocks lie in the middle. Else places in blocks become places in pixels by one formula.
 
     //! Side of the blocks of a level in pixels.
     int side(int level) const { return level == 0 ? 1 : base << (level - 1); }
     //! Side of the blocks of a level in those of the level before.
     int ratio(int level) const { return level == 1 ? base : 2; }
+    //! The blocks of a level in the elements of the level before, for an image of a size.
+    BlockGrid grid(int level, Size size) const
+    {
+        return BlockGrid(sizeOf(level - 1, size), ratio(level), centered);
+    }
     //! What an image of a size has of the blocks of a level.
     Size sizeOf(int level, Size size) const
     {
@@ -29,7 +36,7 @@ struct BlockLevels
 };
 
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
-//! where some of them are missing at the end of a row or column, the last one stands for them.
+//! where some of them are missing, the last one stands for them.
 //! Normals, if there are any, are those of blocks of 2x2 pixels; larger blocks have their means.
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features);
 

@@ -10,11 +10,11 @@ namespace cv { namespace ximgproc { namespace gws {
 //! The largest blocks of which an image has as many as it must keep.
 static BlockLevels chooseLevels(Size size, double fewest_blocks)
 {
-    const BlockLevels CHOICES[] = { { 2, 2 }, { 1, 3 }, { 1, 2 } };
+    const BlockLevels CHOICES[] = { { 2, 2, true }, { 1, 3, true }, { 1, 2, true } };
     for (const BlockLevels& levels : CHOICES)
         if (double(levels.sizeOf(levels.top, size).area()) >= fewest_blocks)
             return levels;
-    const BlockLevels pixels = { 0, 2 };
+    const BlockLevels pixels = { 0, 2, true };
     return pixels;
 }
 
@@ -27,7 +27,7 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
                          (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
                          masks.components(level) + masks.lost(level) > std::max(num_superpixels, masks.components(0))))
         level--;
-    const BlockLevels levels = { level, 2 };
+    const BlockLevels levels = { level, 2, false };
     return levels;
 }
 
@@ -57,6 +57,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
+    levels.centered = frame.mask.empty() && frame.normals.empty();
     const EffortRules& effort = effortRules(frame, parameters);
     const bool masked = !frame.mask.empty();
     const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);

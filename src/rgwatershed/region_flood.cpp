@@ -24,7 +24,7 @@ template <bool WITH_DEPTH> class NeighborPriorities
 {
 public:
     NeighborPriorities(const RegionDistance& distance, int ruler)
-        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13)))
+        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13))) // for half a block
     {
         const short (*w)[4] = distance.weights;
         for (int k = 0; k < 1 + WITH_DEPTH; k++)
@@ -37,7 +37,7 @@ public:
     //! features: of left, top, right and bottom; at: the place of the block; excess: levels that are added.
     v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point at, int excess) const
     {
-        const Point offset = region.center - at;
+        const Point offset = region.middle - 2 * at;
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
         const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
         const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
@@ -55,17 +55,17 @@ public:
         }
         const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
         const short dy = short(std::max(std::min(offset.y, int(FARTHEST)), -FARTHEST));
-        const v_int16x8 v = difference(setPair(dx, dy), v_int16x8(-1, 0, 0, -1, 1, 0, 0, 1));
-        const v_int16x8 swapped = difference(setPair(dy, dx), v_int16x8(0, -1, -1, 0, 0, 1, 1, 0));
+        const v_int16x8 v = difference(setPair(dx, dy), v_int16x8(-2, 0, 0, -2, 2, 0, 0, 2));
+        const v_int16x8 swapped = difference(setPair(dy, dx), v_int16x8(0, -2, -2, 0, 0, 2, 2, 0));
         away = v_dotprod(v, both_, v_dotprod(v_max(v, swapped), longer_, away));
         const v_int32x4 priorities = v_shr<10>(away);
         return v_pack(priorities, priorities);
     }
 
 private:
-    enum { FARTHEST = 4000 }; // in blocks, so that sums fit into 32 bits
+    enum { FARTHEST = 8000 }; // in halves of blocks, so that sums fit into 32 bits
 
-    static short weigh(int ruler, int part) { return short(std::min(int64(ruler) * part / 32, int64(SHRT_MAX))); }
+    static short weigh(int ruler, int part) { return short(std::min(int64(ruler) * part / 64, int64(SHRT_MAX))); }
 
     static v_int16x8 setPair(short a, short b)
     {
@@ -219,7 +219,7 @@ static Point slopeAt(const FeatureMap& features, Point p)
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
-void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
+void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers, const std::vector<Point>& middles,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions)
 {
@@ -238,7 +238,8 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
             {
                 const int seed = labels.index(markers[m]);
                 labels.data()[seed] = first + m;
-                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m]);
+                const Point middle = middles.empty() ? 2 * markers[m] : middles[m];
+                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m], middle);
                 if (features.withNormals())
                     buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
@@ -276,7 +277,7 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     buffers.regions.resize(regions.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
-        buffers.regions[i] = FloodRegion(regions.sums[i], Point());
+        buffers.regions[i] = FloodRegion(regions.sums[i], Point(), Point());
     floodRows(features, distance, NO_RULER, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
               buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)

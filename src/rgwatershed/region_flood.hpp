@@ -15,7 +15,8 @@ namespace cv { namespace ximgproc { namespace gws {
 struct FloodRegion
 {
     FloodRegion() {}
-    FloodRegion(const RegionSum& sum_, Point center_) : sum(sum_), center(center_), rise(0), next_update(0)
+    FloodRegion(const RegionSum& sum_, Point center_, Point middle_)
+        : sum(sum_), center(center_), middle(middle_), rise(0), next_update(0)
     {
         if (sum.area > 0)
             update();
@@ -45,7 +46,8 @@ struct FloodRegion
     void update();
 
     RegionSum sum;
-    Point center;    //!< that the ruler counts from
+    Point center;    //!< that the plane counts from
+    Point middle;    //!< that the ruler counts from, twice
     Point slope;     //!< of depth, in 1/PLANE_UNIT of a step for an element
     int64 rise;      //!< sum of how much higher the plane is at its pixels with depth than at the centre
     short means[4];  //!< of the channels 0, 2, 1, and the depth of the plane at the centre
@@ -69,10 +71,10 @@ struct FloodBuffers
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
-//! are there.
+//! are there. middles are twice the places that the ruler counts from, or empty: then it counts from the markers.
 //! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256. Regions of more
 //! pixels than usual_area come last.
-void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers,
+void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers, const std::vector<Point>& middles,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 

@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-template <int SIDE> static void spreadRow(const int* blocks, int cols, int* labels)
+template <int SIDE> static void spreadPart(const int* blocks, int cols, int* labels)
 {
     for (int x = 0; x < cols / SIDE; x++)
         for (int i = 0; i < SIDE; i++)
@@ -15,21 +15,31 @@ template <int SIDE> static void spreadRow(const int* blocks, int cols, int* labe
         labels[x] = blocks[x / SIDE];
 }
 
-void spreadLabels(const Padded<int>& blocks, int side, const Range& rows, Padded<int>& labels)
+//! Up to the end of the short block, then the rest.
+template <int SIDE> static void spreadRow(const int* blocks, const BlockAxis& columns, int* labels)
 {
-    const int cols = labels.size().width;
-    for (int y = rows.start; y < rows.end; y++)
-        if (side == 3)
-            spreadRow<3>(blocks.row(y / 3), cols, labels.row(y));
-        else
-            spreadRow<2>(blocks.row(y / 2), cols, labels.row(y));
+    const int next = columns.short_block + 1, end = columns.start(next);
+    spreadPart<SIDE>(blocks, end, labels);
+    spreadPart<SIDE>(blocks + next, columns.start(columns.count) - end, labels + end);
 }
 
-void spreadLabels(const Padded<int>& blocks, int side, Size size, Padded<int>& labels)
+void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<int>& labels)
+{
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int* from = blocks.row(grid.rows.blockOf(y));
+        if (grid.side == 3)
+            spreadRow<3>(from, grid.columns, labels.row(y));
+        else
+            spreadRow<2>(from, grid.columns, labels.row(y));
+    }
+}
+
+void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, Size size, Padded<int>& labels)
 {
     CV_TRACE_FUNCTION();
     labels.create(size, OUTSIDE);
-    parallel_for_(Range(0, size.height), [&](const Range& rows) { spreadLabels(blocks, side, rows, labels); });
+    parallel_for_(Range(0, size.height), [&](const Range& rows) { spreadLabels(blocks, grid, rows, labels); });
 }
 
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels)

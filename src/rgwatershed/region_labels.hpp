@@ -5,15 +5,16 @@
 #ifndef OPENCV_GWATERSHED_REGION_LABELS_HPP
 #define OPENCV_GWATERSHED_REGION_LABELS_HPP
 
+#include "rgwatershed/block_grid.hpp"
 #include "shared/regions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels of blocks of 2x2 or 3x3 pixels, which have a side, to some rows of the pixels.
-void spreadLabels(const Padded<int>& blocks, int side, const Range& rows, Padded<int>& labels);
+//! Labels of blocks of 2x2 or 3x3 pixels to some rows of the pixels.
+void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<int>& labels);
 
 //! The same for an image of a size.
-void spreadLabels(const Padded<int>& blocks, int side, Size size, Padded<int>& labels);
+void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, Size size, Padded<int>& labels);
 
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels);

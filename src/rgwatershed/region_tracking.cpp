@@ -100,7 +100,8 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
     compare(map, Scalar(UNSEEN), dissolved, CMP_EQ);
     placeShapeMarkers(gradient, dissolved, num_markers, marker_buffers_, markers);
     const std::vector<MarkerBand> bands(1, wholeBand(features.size(), int(markers.size())));
-    floodFromPoints(features, markers, bands, plan.flood_distance, plan.floodRuler(change.changed_area, num_markers),
+    floodFromPoints(features, markers, std::vector<Point>(), bands, plan.flood_distance,
+                    plan.floodRuler(change.changed_area, num_markers),
                     plan.usualFloodArea(change.changed_area, num_markers), flood_buffers_, labels, regions);
     for (size_t i = 0; i < markers.size(); i++)
         names_.push_back(before.at<int>(markers[i]));

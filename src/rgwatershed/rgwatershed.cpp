@@ -66,8 +66,9 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     {
         const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
         const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
-        const MarkerGrid grid(features.size(), plan.num_markers / in_cell, in_cell);
-        placeGridMarkers(gradient_, grid, markers_);
+        const MarkerGrid grid(features.size(), features_[0].size(), plan.levels.side(plan.levels.top),
+                              plan.num_markers / in_cell, in_cell);
+        placeGridMarkers(gradient_, grid, markers_, middles_);
         divideIntoBands(grid, plan.band_height, bands_);
         markers_in_cell = grid.parts.area();
     }
@@ -78,10 +79,12 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
         else
             placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
         bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
+        middles_.clear();
     }
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
-    floodFromPoints(features, markers_, bands_, plan.flood_distance, plan.floodRuler(plan.blocks, plan.num_markers),
+    floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance,
+                    plan.floodRuler(plan.blocks, plan.num_markers),
                     plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
                     labels_[plan.levels.top], regions_);
     return markers_in_cell;
@@ -137,8 +140,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
-            sweepers_[level].sweepBlocks(labels_[level + 1], plan.levels.ratio(level + 1), features_[level], rules,
-                                         labels_[level], regions_);
+            sweepers_[level].sweepBlocks(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()),
+                                         features_[level], rules, labels_[level], regions_);
         else
             sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
         sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
@@ -149,11 +152,11 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
 //! outside of these.
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
-    const int side = plan.levels.ratio(level + 1);
-    regions_.divideBlocks(side);
+    regions_.divideBlocks(plan.levels.ratio(level + 1));
     if (frame.mask.empty())
         return;
-    spreadLabels(labels_[level + 1], side, features_[level].size(), labels_[level]);
+    spreadLabels(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()), features_[level].size(),
+                 labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
     floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
     if (level > 0)

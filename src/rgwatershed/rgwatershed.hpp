@@ -46,7 +46,7 @@ private:
 
     // Buffers.
     Mat gradient_;
-    std::vector<Point> markers_;
+    std::vector<Point> markers_, middles_;
     std::vector<MarkerBand> bands_;
     MarkerBuffers marker_buffers_;
     FloodBuffers flood_buffers_;

@@ -22,7 +22,7 @@ enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told a
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
-static const double MOST_AREA = 3.6;           // of a superpixel, in mean areas, that still gains blocks or pixels
+static const double MOST_AREA = 3.1;           // of a superpixel, in mean areas, that still gains blocks or pixels
 static const int SWEEPS_AFTER_MERGING = 1;     // of these blocks; or merged regions keep blocks that hang over an edge
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between these and the pixels
 static const int SWEEPS_OF_PIXELS = 1;
@@ -89,9 +89,9 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.1f, 256, 1, false, 0 };
+    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0, true };
     rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
-    rules.noise = 205 + cvRound(8 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
+    rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }
 

@@ -50,10 +50,15 @@ static int divide(int length, int i, int n)
     return int(int64(length) * i / n);
 }
 
-//! The same limit for lengths of an image: halves lie away from its middle, so that a mirrored one has the same limits.
-static int divideEvenly(int length, int i, int n)
+//! The same limit for `count` elements with a length of length / unit, in whole elements. Halves lie away from the
+//! middle, so that a mirrored image has the same limits.
+static int divideEvenly(int count, int length, int unit, int i, int n)
 {
-    return int((2 * int64(length) * i + n - (2 * i < n)) / (2 * n));
+    if (2 * i == n)
+        return (count + 1) / 2;
+    const int64 nearer = std::min(i, n - i); // to its end of the image
+    const int limit = int((2 * length * nearer + int64(n) * unit - 1) / (2 * int64(n) * unit));
+    return 2 * i < n ? limit : count - limit;
 }
 
 //! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken in a
@@ -79,12 +84,14 @@ static int countRows(Size size, int n, bool symmetric)
 }
 
 MarkerGrid::MarkerGrid(Size size_, int num_cells_)
-    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)), parts(1, 1), symmetric(false)
+    : size(size_), extent(size_), unit(1), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)),
+      parts(1, 1), symmetric(false)
 {
 }
 
-MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
-    : size(size_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)), parts(1, 1), symmetric(true)
+MarkerGrid::MarkerGrid(Size size_, Size extent_, int unit_, int num_cells_, int markers_in_cell)
+    : size(size_), extent(extent_), unit(unit_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)),
+      parts(1, 1), symmetric(true)
 {
     int height = int(std::sqrt(double(markers_in_cell)));
     while (markers_in_cell % height != 0)
@@ -99,9 +106,14 @@ MarkerGrid::MarkerGrid(Size size_, int num_cells_, int markers_in_cell)
     rows = countRows(size, num_cells, true);
 }
 
-int MarkerGrid::limit(int length, int i, int n) const
+int MarkerGrid::limitOfColumns(int i, int n) const
 {
-    return symmetric ? divideEvenly(length, i, n) : divide(length, i, n);
+    return symmetric ? divideEvenly(size.width, extent.width, unit, i, n) : divide(size.width, i, n);
+}
+
+int MarkerGrid::limitOfRows(int i, int n) const
+{
+    return symmetric ? divideEvenly(size.height, extent.height, unit, i, n) : divide(size.height, i, n);
 }
 
 void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands)
@@ -110,8 +122,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     bands.clear();
     for (int i = 0, first = 0; i < grid.rows; i++)
     {
-        const int top = grid.limit(grid.size.height, first, grid.rows);
-        const int bottom = grid.limit(grid.size.height, i + 1, grid.rows);
+        const int top = grid.limitOfRows(first, grid.rows);
+        const int bottom = grid.limitOfRows(i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
         const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
@@ -121,34 +133,56 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     }
 }
 
-//! Places the markers of a row of cells, number first..last-1.
-static void placeInRow(const Mat& gradient, const MarkerGrid& grid, int row, int first, int last, Point* markers)
+//! Calls body(marker, part) for all parts of a row of cells, number first..last-1.
+template <typename Body>
+static void forPartsInRow(const MarkerGrid& grid, int row, int first, int last, const Body& body)
 {
     const Size parts = grid.parts;
     const int columns = (last - first) * parts.width;
     for (int i = 0; i < parts.height; i++)
     {
         const int part_row = row * parts.height + i;
-        const int top = grid.limit(grid.size.height, part_row, grid.rows * parts.height);
-        const int bottom = grid.limit(grid.size.height, part_row + 1, grid.rows * parts.height);
+        const int top = grid.limitOfRows(part_row, grid.rows * parts.height);
+        const int bottom = grid.limitOfRows(part_row + 1, grid.rows * parts.height);
         for (int k = 0, left = 0, right; k < columns; k++, left = right)
         {
-            right = grid.limit(grid.size.width, k + 1, columns);
-            markers[(first + k / parts.width) * parts.area() + i * parts.width + k % parts.width] =
-                    findMarker(gradient, Rect(Point(left, top), Point(right, bottom)), grid.symmetric);
+            right = grid.limitOfColumns(k + 1, columns);
+            body((first + k / parts.width) * parts.area() + i * parts.width + k % parts.width,
+                 Rect(Point(left, top), Point(right, bottom)));
         }
     }
+}
+
+//! The same for all parts, some of them at the same time.
+template <typename Body> static void forParts(const MarkerGrid& grid, const Body& body)
+{
+    parallel_for_(Range(0, grid.rows), [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            forPartsInRow(grid, i, divide(grid.num_cells, i, grid.rows), divide(grid.num_cells, i + 1, grid.rows),
+                          body);
+    });
 }
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers)
 {
     CV_TRACE_FUNCTION();
     markers.resize(grid.numMarkers());
-    parallel_for_(Range(0, grid.rows), [&](const Range& range)
+    forParts(grid, [&](int i, const Rect& part) { markers[i] = findMarker(gradient, part, grid.symmetric); });
+}
+
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles)
+{
+    CV_TRACE_FUNCTION();
+    markers.resize(grid.numMarkers());
+    middles.resize(grid.numMarkers());
+    forParts(grid, [&](int i, const Rect& part)
     {
-        for (int i = range.start; i < range.end; i++)
-            placeInRow(gradient, grid, i, divide(grid.num_cells, i, grid.rows),
-                       divide(grid.num_cells, i + 1, grid.rows), markers.data());
+        markers[i] = findMarker(gradient, part, grid.symmetric);
+        const Point center(2 * part.x + part.width - 1, 2 * part.y + part.height - 1), marker = 2 * markers[i];
+        const bool central = std::abs(marker.x - center.x) <= 1 && std::abs(marker.y - center.y) <= 1;
+        middles[i] = central ? center : marker;
     });
 }
 

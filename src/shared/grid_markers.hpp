@@ -15,21 +15,29 @@ struct MarkerGrid
 {
     //! One marker in each cell.
     MarkerGrid(Size size, int num_cells);
-    //! A symmetric grid. At most one marker for each pixel. If cells are too small for so many parts, there are as many
-    //! cells as markers.
-    MarkerGrid(Size size, int num_cells, int markers_in_cell);
+    //! A symmetric grid of blocks, at most one marker for each. extent is the size in parts of a block, of which a
+    //! whole one has `unit` on each side. If cells are too small for so many markers, there are as many cells as
+    //! markers.
+    MarkerGrid(Size size, Size extent, int unit, int num_cells, int markers_in_cell);
 
     int numMarkers() const { return num_cells * parts.area(); }
-    //! The i-th of the n + 1 limits that divide a side of the image into n equal parts.
-    int limit(int length, int i, int n) const;
+    //! The i-th of the n + 1 limits that divide the image into n parts of equal width, or of equal height.
+    int limitOfColumns(int i, int n) const;
+    int limitOfRows(int i, int n) const;
 
-    Size size;      //!< of the image
+    Size size, extent; //!< of the image, in pixels, or in blocks and in parts of them
+    int unit;
     int num_cells, rows;
     Size parts;     //!< of each cell
     bool symmetric; //!< a mirrored image has the mirrored grid
 };
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers);
+
+//! The same, and twice the places that distances from markers count from: for a marker at the centre of its part just
+//! that centre, which may lie between pixels, so that what is nearest to it is the part; the place of any other marker.
+void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
+                      std::vector<Point>& middles);
 
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
 //! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in

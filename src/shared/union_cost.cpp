@@ -8,7 +8,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
 // first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 48 };
+enum { NOISE_IN_CELL = 24 };
 
 // The same between regions that should stay apart.
 enum { NOISE_OF_KEPT = 256 * 4 };
@@ -148,12 +148,13 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 zero = v_setzero_s32(), log_64 = v_setall_s32(6 << 8);
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
-    const v_int32x4 excess = v_max(subtract(log_union, log_usual_area_), zero);
+    const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
+    const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
+    const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
     const v_int32x4 variance = logarithm(add(add(a.variance, b.variance), v_setall_s32(LEAST_VARIANCE)));
     const v_int32x4 distance = subtract(add(logarithm(add(squared_distance, v_load(noises))), log_64), variance);
     const v_int32x4 areas = subtract(add(a.log_area, b.log_area), log_union);
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
-    const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(v_abs(light_difference)), light_level_));
     const v_int32x4 brightness = subtract(logarithm(sumOf(a.light, b.light)), log_union);
     const v_int32x4 texture = logarithm(add(v_max(a.variance, b.variance), v_setall_s32(LEAST_TEXTURE)));
@@ -176,7 +177,7 @@ static int weighLightness(int exponent, const RegionDistance& distance)
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
                      const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), surfaces_(surfaces), noise_(rules.noise),
-      log_usual_area_(v_setall_s32(log_usual_area)),
+      log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(rules.distance, EXCESS)),
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),

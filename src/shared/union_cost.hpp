@@ -24,10 +24,11 @@ struct MergeRules
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface; //!< areas are those on the surface, not in the image
     int num_kept;    //!< so many regions, the first ones, stay apart rather than any others
+    bool grow;       //!< what is united grows broader later, when boundaries are settled
 };
 
 //! For regions of pixels whose variances are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 3.2f, 320, 1, false, 0 };
+static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.7f, 320, 1, false, 0, false };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
@@ -56,11 +57,13 @@ inline int logarithm(float value)
 //! the boundary, l its length, L the lightness of the means, m that of the union:
 //!     (64 d^2 / V + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (larger v + 8)^texture
-//!     max(1, (n1 + n2) / usual area)^32,   V = v1 + v2 + 16
+//!     max(1, (n1 + n2) s / usual area)^32,   V = v1 + v2 + 16,   s = root of max(1, root of the smaller n / l)
 //! The first two factors are Ward's criterion, of colours as they vary; the constants let small regions go first where
 //! colours are equal. Variances that are not measured are all the same: then V is, and (64 d^2 / V + noise) is as good
 //! as (d^2 + 4 noise). Without the last factor, what holds both colours of a pattern is nearer to all around it than
-//! these are to each other, and takes in one after the other. The cost is the same for both orders of the regions.
+//! these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet end to
+//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. The cost is the same
+//! for both orders of the regions.
 class UnionCost
 {
 public:
@@ -81,6 +84,7 @@ private:
     const SurfaceMean* const surfaces_;
     const int noise_;
     v_int32x4 log_usual_area_; // above it, unions are expensive
+    v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_excess_, areas_and_contrast_, length_and_lightness_, brightness_and_texture_; // exponents
 };
