@@ -3,42 +3,12 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/boundary_list.hpp"
-#include "shared/vector_operators.hpp"
+#include "shared/bit_positions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// The lists are made without unpredictable branches: eight pixels of a class are written at once, and the next ones
-// overwrite those that do not belong to the list.
-
-//! Where the ones of eight bits are, one after the other.
-struct BitPlaces
-{
-    BitPlaces() : places(), counts()
-    {
-        for (int bits = 0; bits < 256; bits++)
-            for (int i = 0; i < 8; i++)
-                if ((bits >> i) & 1)
-                    places[bits][counts[bits]++] = uchar(2 * i); // every other pixel is of the class
-    }
-
-    uchar places[256][8], counts[256];
-};
-
-static const BitPlaces& bitPlaces()
-{
-    static const BitPlaces table;
-    return table;
-}
-
-//! Adds the pixels whose bits are set, and others behind them. Returns the end.
-static inline int* addPixels(const BitPlaces& table, unsigned bits, int first, int* to)
-{
-    const v_uint32x4 start = v_setall_u32(unsigned(first));
-    const uchar* places = table.places[bits];
-    v_store(reinterpret_cast<unsigned*>(to), add(start, v_load_expand_q(places)));
-    v_store(reinterpret_cast<unsigned*>(to + 4), add(start, v_load_expand_q(places + 4)));
-    return to + table.counts[bits];
-}
+// The lists are made without unpredictable branches: eight pixels of a class are written at once, every other one of a
+// row, and the next ones overwrite those that do not belong to the list.
 
 //! Which of 16 bytes are 1 and not 0, as bits: those at even places first.
 static inline unsigned toBits(const v_uint8x16& ones)
@@ -60,7 +30,7 @@ void BoundaryList::begin(int first_row, size_t most_quads)
 
 template <typename Find> void BoundaryList::addRow(int cols, int first, int step, const Find& find)
 {
-    const BitPlaces& table = bitPlaces();
+    const BitPositions& table = bitPositions();
     int* next[NUM_CLASSES];
     for (int c = 0; c < NUM_CLASSES; c++)
     {
@@ -75,10 +45,10 @@ template <typename Find> void BoundaryList::addRow(int cols, int first, int step
         if ((upper | lower) == 0)
             continue;
         const int pixel = first + x;
-        next[0] = addPixels(table, upper & 255, pixel, next[0]);
-        next[1] = addPixels(table, upper >> 8, pixel + 1, next[1]);
-        next[2] = addPixels(table, lower & 255, pixel + step, next[2]);
-        next[3] = addPixels(table, lower >> 8, pixel + step + 1, next[3]);
+        next[0] = writePositions<1>(table, upper & 255, pixel, next[0]);
+        next[1] = writePositions<1>(table, upper >> 8, pixel + 1, next[1]);
+        next[2] = writePositions<1>(table, lower & 255, pixel + step, next[2]);
+        next[3] = writePositions<1>(table, lower >> 8, pixel + step + 1, next[3]);
     }
     for (int c = 0; c < NUM_CLASSES; c++)
     {

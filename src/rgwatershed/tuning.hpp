@@ -37,7 +37,7 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
 static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
-static const int SWEEP_LIGHTNESS = 136, SWEEP_CHROMA = 336;
+static const int SWEEP_LIGHTNESS = 132, SWEEP_CHROMA = 336;
 
 // How much more depth and normals count beside colour than depth alone does, and the levels of depth that one of the
 // 127 levels of a normal is worth. Found on one half of the frames of mOSD.
@@ -90,7 +90,7 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
 inline MergeRules mergeRules(float ruler)
 {
     MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0, true };
-    rules.length = cvRound(13 + 36 * std::min(ruler / 10, 1.f));
+    rules.length = cvRound(13 + 34 * std::min(ruler / 10, 1.f));
     rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }

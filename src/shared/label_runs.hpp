@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_LABEL_RUNS_HPP
 #define OPENCV_GWATERSHED_LABEL_RUNS_HPP
 
-#include "shared/vector_operators.hpp"
+#include "shared/bit_positions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -24,49 +24,23 @@ private:
     int num_rows_, height_;
 };
 
-//! Of each set of four bits: how many are set, and where.
-struct BitPositions
-{
-    BitPositions()
-    {
-        for (int bits = 0; bits < 16; bits++)
-        {
-            counts[bits] = 0;
-            for (int k = 0; k < 4; k++)
-                positions[bits][k] = 0;
-            for (int k = 0; k < 4; k++)
-                if ((bits >> k) & 1)
-                    positions[bits][counts[bits]++] = k;
-        }
-    }
-
-    int counts[16], positions[16][4];
-};
-
-//! Writes to `positions`, in order, where two rows differ; it has room for cols + 4. Returns how many these are.
-//! Without branches: four positions are written each time, and the next ones over those that are none.
+//! Writes to `positions`, in order, where two rows differ; it has room for cols. Returns how many these are.
 inline int listDifferences(const int* row, const int* other, int cols, int* positions)
 {
-    static const BitPositions TABLE;
-    int count = 0, x = 0;
-    const auto add_four = [&]()
+    const BitPositions& table = bitPositions();
+    int *to = positions, x = 0;
+    for (; x <= cols - 8; x += 8)
     {
-        const int bits = v_signmask(equal(v_load(row + x), v_load(other + x))) ^ 15;
-        v_store(positions + count, add(v_load(TABLE.positions[bits]), v_setall_s32(x)));
-        count += TABLE.counts[bits];
-        x += 4;
-    };
-    while (x + 8 <= cols)
-    {
-        add_four();
-        add_four();
+        const int same = v_signmask(equal(v_load(row + x), v_load(other + x))) |
+                         v_signmask(equal(v_load(row + x + 4), v_load(other + x + 4))) << 4;
+        to = writePositions<0>(table, unsigned(same ^ 255), x, to);
     }
     for (; x < cols; x++)
     {
-        positions[count] = x;
-        count += row[x] != other[x];
+        *to = x;
+        to += row[x] != other[x];
     }
-    return count;
+    return int(to - positions);
 }
 
 }}} // namespace
