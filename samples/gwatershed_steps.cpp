@@ -60,17 +60,19 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     const gws::FeatureMap& blocks = pyramid[plan.levels.top];
 
     Mat gradient;
+    std::vector<Point> middles;
     std::vector<gws::MarkerBand> bands;
     gws::computeBlockGradient(blocks, plan.flood_distance, Mat(), gradient);
-    const gws::MarkerGrid grid(blocks.size(), plan.num_superpixels, plan.markers_per_superpixel);
-    gws::placeGridMarkers(gradient, grid, steps.markers);
+    const gws::MarkerGrid grid(blocks.size(), image.size(), steps.block, plan.num_superpixels,
+                               plan.markers_per_superpixel);
+    gws::placeGridMarkers(gradient, grid, steps.markers, middles);
     gws::divideIntoBands(grid, plan.band_height, bands);
 
     gws::Padded<int> labels;
     gws::Regions regions;
     gws::FloodBuffers flood_buffers;
     gws::clearLabels(blocks.size(), Mat(), labels);
-    gws::floodFromPoints(blocks, steps.markers, bands, plan.flood_distance,
+    gws::floodFromPoints(blocks, steps.markers, middles, bands, plan.flood_distance,
                          plan.floodRuler(plan.blocks, plan.num_markers),
                          plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers, labels, regions);
     steps.flooded = labels.view(CV_32SC1).clone();
