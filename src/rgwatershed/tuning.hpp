@@ -75,7 +75,7 @@ inline int floodBandHeight(double blocks, int num_superpixels)
 
 inline int boundaryPrice(double price, double side, float ruler)
 {
-    const double PART_WITHOUT_RULER = 0.1;
+    const double PART_WITHOUT_RULER = 0.08;
     const double scale = std::min(std::max(side * side / 289, 0.25), 4.);
     return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
 }
@@ -99,6 +99,7 @@ inline MergeRules mergeRules(float ruler)
 inline MergeRules pixelMergeRules(float ruler)
 {
     MergeRules rules = MERGE_BY_VARIANCES;
+    rules.usual = 3.6f;
     rules.length = cvRound(double(rules.length) * mergeRules(ruler).length / mergeRules(10).length);
     return rules;
 }

@@ -123,7 +123,7 @@ MergeRegion SimilarMerger::describe(int region) const
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
                            b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
                            float(sum.color[0] + 16 * int64(sum.area)) * scale,
-                           region < rules_.num_kept ? int(MergeRegion::KEPT) : region / rules_.in_cell, region };
+                           region / rules_.in_cell, region };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     return record;
@@ -148,7 +148,7 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
     if (num_pairs * FEWEST < num_active)
         chooseOneSided(share, most);
     else
-        choose(std::min(most, size_t(std::ceil(share * double(num_pairs)))));
+        choose(std::min(most, size_t(std::ceil(share * double(countWelcome(num_pairs))))));
     if (in_order)
         std::sort(b_.chosen.begin(), b_.chosen.end());
     unite();
@@ -220,6 +220,19 @@ void SimilarMerger::findPairs(int band)
     }
     active.resize(num_active);
     pairs.resize(num_pairs);
+}
+
+//! How many of the pairs are welcome. Those of two regions that should stay apart are only if there are no others: else
+//! many of them would be united in each round, only because they are many.
+size_t SimilarMerger::countWelcome(size_t num_pairs) const
+{
+    size_t num_kept = 0;
+    for (size_t k = 0; k < b_.bands.size() && rules_.num_kept > 0; k++)
+        num_kept += std::count_if(b_.bands[k].pairs.begin(), b_.bands[k].pairs.end(), [&](const MergePair& pair)
+        {
+            return std::max(pair.from, pair.to) < rules_.num_kept;
+        });
+    return num_kept < num_pairs ? num_pairs - num_kept : num_pairs;
 }
 
 //! The cheapest pairs, within 1/1024 of the range of costs; of those at the limit, the first ones.

@@ -67,6 +67,7 @@ private:
     void findBest(const EdgeList& list);
     void findPairs();
     void findPairs(int band);
+    size_t countWelcome(size_t num_pairs) const;
     void choose(size_t count);
     void chooseOneSided(double share, size_t most);
     void unite();

@@ -10,9 +10,6 @@ namespace cv { namespace ximgproc { namespace gws {
 // first where colours are even, and superpixels are the cells of the grid there.
 enum { NOISE_IN_CELL = 24 };
 
-// The same between regions that should stay apart.
-enum { NOISE_OF_KEPT = 256 * 4 };
-
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 // What is added to variances, in 1/256 of a squared level: to that of two regions, and to the larger one.
@@ -67,8 +64,7 @@ int UnionCost::distanceWithDepth(const MergeRegion& a, const MergeRegion& b) con
 //! @note The variance is rounded first, so that 32 bits are enough.
 int UnionCost::noiseBetween(const MergeRegion& a, const MergeRegion& b) const
 {
-    const int noise = a.cell != b.cell ? noise_ : a.cell == MergeRegion::KEPT ? int(NOISE_OF_KEPT)
-                                                                                    : int(NOISE_IN_CELL);
+    const int noise = a.cell != b.cell ? noise_ : int(NOISE_IN_CELL);
     return (noise * ((a.variance + b.variance + LEAST_VARIANCE) >> 8)) >> 6;
 }
 

@@ -33,14 +33,12 @@ static const MergeRules MERGE_BY_VARIANCES = { 64, 83, 62, 65, 54, 56, 39, 2.7f,
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
 {
-    enum { KEPT = -1 };
-
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     int log_area;  //!< in 1/256 of a doubling
     int variance;  //!< of its colour, weighted, in 1/256 of a squared level; the same for all if not measured
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
-    int cell;      //!< of the grid of markers, in which the region began, or KEPT
+    int cell;      //!< of the grid of markers, in which the region began
     int index;     //!< of the region
 };
 
