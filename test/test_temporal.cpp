@@ -201,17 +201,23 @@ TEST_P(ximgproc_GWatershed_temporal, is_not_disturbed_by_merging_and_threads)
 
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, testing::ValuesIn(ALGORITHMS));
 
+// Some regions are kept by chance, so single scenes lose more than their mean: 1 in 50 of them more than 0.01.
 TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_are_as_good_after_a_cut)
 {
+    const int count = 20;
     const Size size(160, 120);
     Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 100);
-    for (int i = 0; i < 20; i++)
+    double mean = 0;
+    for (int i = 0; i < count; i++)
     {
         const Mat scene = makeScene(size, theRNG());
         gws->iterate(scene);
-        EXPECT_GT(explainedVariation(labelsOf(gws), scene),
-                  explainedVariation(segmentAnew(scene, RGWATERSHED, 100), scene) - 0.006) << "scene " << i;
+        const double loss = explainedVariation(segmentAnew(scene, RGWATERSHED, 100), scene) -
+                            explainedVariation(labelsOf(gws), scene);
+        EXPECT_LT(loss, 0.02) << "scene " << i;
+        mean += loss / count;
     }
+    EXPECT_LT(mean, 0.004);
 }
 
 TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_appear_where_a_thing_does)

@@ -39,7 +39,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Ma
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);
-    if (change.changed_area > change.area / 3)
+    if (change.changed_area > change.area / 2)
         return false;
     if (change.changed_area > 0)
         replaceChanged(plan, features, mask, change, labels, regions);

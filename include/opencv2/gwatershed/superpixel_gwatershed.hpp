@@ -387,7 +387,7 @@ public:
 
     RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
     when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
-    the same. If a third of the image has changed, all start again. GWATERSHED moves each marker to the middle of
+    the same. If half of the image has changed, all start again. GWATERSHED moves each marker to the middle of
     its last region; the markers of regions that have nearly vanished move into the largest ones. Boundaries also
     move a little on a still image.
 
