@@ -112,7 +112,8 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
         for (int k = range.start; k < range.end; k++)
         {
             listEdges(labels, chunks[k], features, between_pixels, builder);
-            findSegments(builder.edges(), rows_[k]);
+            builder.moveTo(rows_[k].edges);
+            findSegments(rows_[k]);
         }
     });
     collect();
@@ -135,11 +136,10 @@ void MergeGraph::setRegions(int num_regions)
 }
 
 //! Regions that touch a row mostly have numbers that are near each other, so segments are long.
-void MergeGraph::findSegments(const EdgeList& list, EdgeRows& rows) const
+void MergeGraph::findSegments(EdgeRows& rows) const
 {
+    const EdgeList& list = rows.edges;
     rows.segments.clear();
-    rows.edges.count = 0;
-    rows.edges.append(list, 0, list.count);
     for (size_t i = 0; i < list.count; i++)
     {
         const int of = listOf(list.edges[i].a, list.edges[i].b);

@@ -63,8 +63,8 @@ public:
     void add(const int* row, const int* other, const Feature* features, const Feature* other_features, int cols,
              const RegionDistance& distance);
 
-    //! Between two regions there may be several, but few.
-    const EdgeList& edges() const { return edges_; }
+    //! Gives the edges away. Between two regions there may be several, but few.
+    void moveTo(EdgeList& to) { std::swap(edges_, to); }
 
 private:
     enum { LATEST_BITS = 10, NUM_BEHIND = 4 };
@@ -108,7 +108,7 @@ public:
 private:
     int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);
-    void findSegments(const EdgeList& list, EdgeRows& rows) const;
+    void findSegments(EdgeRows& rows) const;
     void collect();
     void relabel(int k, const int* parents, const uchar* changed);
     void findLeaving(int k);

@@ -214,7 +214,7 @@ void SimilarMerger::findPairs(int band)
         active[num_active++] = region;
         b_.changed[region] = 0;
         const int neighbor = neighborOf(region, price);
-        const MergePair pair = { price, neighbor, region };
+        const MergePair pair(price, neighbor, region);
         pairs[num_pairs] = pair;
         num_pairs += (region < neighbor) & (b_.best[neighbor] == price);
     }
@@ -284,7 +284,7 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
         for (size_t i = 0; i < b_.bands[k].active.size(); i++)
         {
             const int region = b_.bands[k].active[i];
-            const MergePair wish = { b_.best[region], region, neighborOf(region, b_.best[region]) };
+            const MergePair wish(b_.best[region], region, neighborOf(region, b_.best[region]));
             wishes.push_back(wish);
             votes[wish.to]++;
         }

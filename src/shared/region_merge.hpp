@@ -12,6 +12,9 @@ namespace cv { namespace ximgproc { namespace gws {
 //! A union that may be done in a round.
 struct MergePair
 {
+    MergePair() {}
+    MergePair(uint64 price_, int from_, int to_) : price(price_), from(from_), to(to_) {}
+
     uint64 price;
     int from, to;
 
