@@ -5,7 +5,6 @@
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/tuning.hpp"
 #include <opencv2/core/hal/intrin.hpp>
-#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -174,10 +173,10 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
     }
 }
 
-//! Adds up the normals of each column.
+//! Adds up the normals of each column. Behind the last one is an empty one.
 static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& words)
 {
-    words.assign(normals.cols, 0);
+    words.assign(normals.cols + 1, 0);
     int* sums = words.data();
     for (int y = rows.start; y < rows.end; y++)
     {
@@ -187,7 +186,8 @@ static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& 
     }
 }
 
-//! Normals of blocks of some side, from those of blocks of 2x2 pixels: means of what is known of those they touch.
+//! Normals of blocks of 3x3 or 4x4 pixels, from those of blocks of 2x2: means of what is known of those they touch,
+//! which are two in each row and column.
 static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
 {
     united.create(size, CV_8UC2);
@@ -198,10 +198,7 @@ static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
         {
             addColumns(normals, Range(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows)), words);
             for (int x = 0; x < size.width; x++)
-            {
-                const int left = x * side / 2, right = std::min(((x + 1) * side + 1) / 2, normals.cols);
-                sums[x] = std::accumulate(words.begin() + left, words.begin() + right, 0);
-            }
+                sums[x] = words[x * side / 2] + words[x * side / 2 + 1];
             Normal* to = united.ptr<Normal>(y);
             for (int x = 0; x < size.width; x++)
                 to[x] = NormalSum::mean(sums[x]);
