@@ -320,7 +320,8 @@ LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_dept
             row.assign(alignSize(2 * blocks, 16), 0.f);
         for (int y = rows.start; y < rows.end; y++)
         {
-            std::fill(pair[1].begin(), pair[1].end(), 0.f);
+            if (2 * y + 1 == depth.rows)
+                std::fill(pair[1].begin(), pair[1].end(), 0.f);
             for (int i = 0; i < std::min(2, depth.rows - 2 * y); i++)
             {
                 uchar* levels = nearness.ptr(2 * y + i);

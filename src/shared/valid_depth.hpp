@@ -29,7 +29,7 @@ template <typename Value> inline void readDepths(const Mat& row, Value* to)
     row.convertTo(values, values.type());
     const Value missing = row.depth() == CV_16U ? Value(USHRT_MAX) : Value(0);
     for (int x = 0; x < row.cols; x++)
-        to[x] = to[x] > 0 && to[x] != missing ? to[x] : Value(0);
+        to[x] = ((to[x] > 0) & (to[x] != missing)) ? to[x] : Value(0);
 }
 
 }}} // namespace
