@@ -43,11 +43,11 @@ enum GWatershedType
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
    enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
-2. Markers: two to four for each superpixel, one in each cell of a grid of blocks, away from high gradients.
+2. Markers: up to four for each superpixel, one below 6x6 pixels, each in a cell of a grid, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
-4. Merging: similar neighbours become one region, until the number of superpixels is reached.
+4. Merging, if there are more regions than superpixels: similar neighbours become one, until the number is reached.
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
@@ -206,7 +206,7 @@ public:
         (\max(v_a, v_b) + 8)^{0.61} \max(1, (n_a + n_b) / u)^{32} @f]
     d is the distance of the mean colours and depths (Euclidean), v the variance of the colours in each of the two,
     and V = v_a + v_b + 16; n the number of pixels, l the length of the common boundary in pixel edges, and h the
-    contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. u is 3.2
+    contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. u is 2.7
     times the mean number of pixels of the superpixels that are left, whose number counts with all but its two highest
     bits cleared. L are the mean lightnesses, and that of both together, from 0 to 255. The distances are in 8-bit
     levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
