@@ -73,13 +73,14 @@ struct FourRegions
 {
     explicit FourRegions(const MergeRegion* const* regions)
     {
-        v_transpose4x4(load(regions[0]->mean), load(regions[1]->mean), load(regions[2]->mean), load(regions[3]->mean),
-                       first_means, last_mean, area, log_area);
-        v_transpose4x4(v_load(&regions[0]->variance), v_load(&regions[1]->variance), v_load(&regions[2]->variance),
-                       v_load(&regions[3]->variance), variance, light, cell, index);
+        v_int32x4 words[4];
+        for (int k = 0; k < 4; k++)
+            words[k] = v_reinterpret_as_s32(v_load(regions[k]->mean));
+        v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, area, log_area);
+        for (int k = 0; k < 4; k++)
+            words[k] = v_load(&regions[k]->variance);
+        v_transpose4x4(words[0], words[1], words[2], words[3], variance, light, cell, index);
     }
-
-    static v_int32x4 load(const short* words) { return v_reinterpret_as_s32(v_load(words)); }
 
     v_int32x4 first_means, last_mean, area, log_area, variance, light, cell, index; // means are pairs of 16 bits
 };
