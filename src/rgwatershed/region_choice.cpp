@@ -141,7 +141,7 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
         findOpen<COLOR>(pixels, n, y, open);
 
     Choice choices[BATCH];
-    int unfinished[BATCH], num_unfinished = 0;
+    int unfinished[BATCH] = {}, num_unfinished = 0;
     for (int i = 0; i < open.count; i++)
     {
         const int pixel = open.indices[i], mask = masks_[pixel];
