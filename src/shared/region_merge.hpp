@@ -39,7 +39,7 @@ struct MergeBuffers
     std::vector<int> parents;       // the region that took each one in, or itself
     std::vector<uchar> changed;     // took in others in this round
     std::vector<MergePair> chosen;
-    std::vector<int> table, counts;
+    std::vector<int> counts;        // of pairs in each bin of costs
 };
 
 //! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
