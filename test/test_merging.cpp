@@ -25,12 +25,25 @@ double straightLog(double x)
     return exponent - 2 + 2 * fraction;
 }
 
-//! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation.
-std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& labels, int n)
+//! The logarithm of the steps from pixel to pixel, of a region whose sums across and down these are.
+double textureOf(const Vec2d& steps, double area)
+{
+    return straightLog(steps[0] + steps[1] + area) - straightLog(area);
+}
+
+//! The logarithm of those across over those down.
+double directionOf(const Vec2d& steps, double area)
+{
+    return straightLog(steps[0] + 0.5 * area) - straightLog(steps[1] + 0.5 * area);
+}
+
+//! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
+//! from pixel to pixel are those inside of the first superpixels.
+std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n)
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
-    std::vector<double> variances(n, 0.);
+    std::vector<Vec2d> steps(n, Vec2d(0, 0)); // across and down, in every second row
     std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -38,43 +51,46 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& la
             const Vec3d color = opponentColor(image.at<Vec3b>(y, x));
             areas[labels.at<int>(y, x)]++;
             means[labels.at<int>(y, x)] += color;
-            variances[labels.at<int>(y, x)] += color.dot(color);
             for (int k = 0; k < 2; k++)
             {
                 const Point q(x + (k == 0), y + (k == 1));
-                if (q.x == labels.cols || q.y == labels.rows || labels.at<int>(q) == labels.at<int>(y, x))
+                if (q.x == labels.cols || q.y == labels.rows)
+                    continue;
+                const double step = cv::norm(color - opponentColor(image.at<Vec3b>(q)), NORM_L1);
+                if (first.at<int>(q) == first.at<int>(y, x) && y % 2 == 0)
+                    steps[labels.at<int>(q)][k] += step;
+                if (labels.at<int>(q) == labels.at<int>(y, x))
                     continue;
                 const int a = std::min(labels.at<int>(q), labels.at<int>(y, x));
                 const int b = std::max(labels.at<int>(q), labels.at<int>(y, x));
                 std::pair<double, double>& boundary = boundaries[std::make_pair(a, b)];
                 boundary.first++;
-                boundary.second += cv::norm(color - opponentColor(image.at<Vec3b>(q)), NORM_L1);
+                boundary.second += step;
             }
         }
     for (int i = 0; i < n; i++)
-    {
         means[i] /= areas[i];
-        variances[i] = std::max(variances[i] / areas[i] - means[i].dot(means[i]), 0.);
-    }
-    int few = 1; // n, with zeros for all but the two highest bits, is few * (n / few)
-    while (n / few >= 4)
+    int few = 1; // n, with zeros for all but the three highest bits, is few * (n / few)
+    while (n / few >= 8)
         few *= 2;
-    const double usual_area = std::max(1., 2.7 * double(image.total()) / (n / few * few));
+    const double usual_area = std::max(1., 2.9 * double(image.total()) / (n / few * few));
     std::map<std::pair<int, int>, double> costs;
     std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)
     {
         const double na = areas[e->first.first], nb = areas[e->first.second], l = e->second.first;
         const Vec3d d = means[e->first.first] - means[e->first.second];
-        const double va = variances[e->first.first], vb = variances[e->first.second], v = va + vb + 16;
+        const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
-        costs[e->first] = straightLog(64 * d.dot(d) + 1.25 * v) - straightLog(v) +
-                          1.3 * (straightLog(na) + straightLog(nb) - straightLog(na + nb)) +
-                          0.97 * (straightLog(e->second.second + l) - straightLog(l)) -
-                          1.02 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
-                          0.84 * straightLog(16 * std::abs(d[0]) + 7) -
-                          0.87 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
-                          0.61 * straightLog(std::max(va, vb) + 8) +
+        costs[e->first] = 0.58 * straightLog(d.dot(d) + 1.5) +
+                          straightLog(na) + straightLog(nb) - straightLog(na + nb) +
+                          0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
+                          0.69 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                          0.39 * straightLog(16 * std::abs(d[0]) + 7) -
+                          0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
+                          0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
+                          1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
+                          0.5 * std::abs(directionOf(ta, na) - directionOf(tb, nb)) +
                           32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
     }
     return costs;
@@ -95,10 +111,10 @@ std::vector<RegionKey> regionKeys(const Mat& labels, int n)
     return keys;
 }
 
-KeyedCosts keyedCosts(const Mat& image, const Mat& labels, int n)
+KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int n)
 {
     const std::vector<RegionKey> keys = regionKeys(labels, n);
-    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, labels, n);
+    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, first, labels, n);
     KeyedCosts keyed;
     for (std::map<std::pair<int, int>, double>::const_iterator e = costs.begin(); e != costs.end(); ++e)
     {
@@ -148,10 +164,11 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
         gws->iterate();
         std::vector<KeyedCosts> history;
-        Mat before = labelsOf(gws);
+        const Mat first = labelsOf(gws);
+        Mat before = first;
         for (int n = gws->getNumberOfSuperpixels(); n > 1; n--)
         {
-            history.push_back(keyedCosts(image, before, n));
+            history.push_back(keyedCosts(image, first, before, n));
             gws->mergeSimilar(n - 1);
             const Mat after = labelsOf(gws);
             const std::pair<RegionKey, RegionKey> pair = findUnion(before, after, n);

@@ -164,15 +164,22 @@ Mat makeRamp(Size size, Point direction)
     return image;
 }
 
-TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
+//! One of six ramps: level, upright and slanted, without and with noise.
+Mat makeRamp(int i)
 {
     const Point directions[] = { Point(1, 0), Point(0, 1), Point(1, 1) };
+    Mat image = makeRamp(Size(640, 480), directions[i / 2]);
+    if (i % 2)
+        addNoise(image, 1);
+    return image;
+}
+
+TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
+{
     double means[2] = { 0, 0 }; // at the default ruler and at a large one
     for (int i = 0; i < 6; i++)
     {
-        Mat image = makeRamp(Size(640, 480), directions[i / 2]);
-        if (i % 2)
-            addNoise(image, 1);
+        const Mat image = makeRamp(i);
         for (int region_size : REGION_SIZES)
         {
             const double aspect = medianAspect(superpixels(image, region_size));
@@ -183,6 +190,19 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
     }
     EXPECT_LE(means[0] / 36, 1.2);
     EXPECT_LT(means[1], means[0]);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_after_merging)
+{
+    double mean = 0;
+    for (int i = 0; i < 6; i++)
+        for (int region_size : REGION_SIZES)
+        {
+            const double aspect = medianAspect(superpixels(makeRamp(i), region_size, 10, MERGED));
+            mean += aspect / 36;
+            EXPECT_LE(aspect, 3) << i << ", " << region_size;
+        }
+    EXPECT_LE(mean, 1.65);
 }
 
 TEST(ximgproc_SuperpixelGWatershed, compactness_grows_with_the_ruler)

@@ -16,9 +16,9 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     CV_TRACE_FUNCTION();
     Regions regions;
     regions.resize(num_labels);
-    measureRegions(features, labels, distance, regions, buffers.squares);
+    measureRegions(features, labels, distance, regions, buffers.textures);
     buffers.graph.build(labels, num_labels, features, distance);
-    SimilarMerger merger(distance, MERGE_BY_VARIANCES, buffers, regions);
+    SimilarMerger merger(distance, MERGE_BY_TEXTURES, buffers, regions);
     unions_ = merger.runToTheEnd();
 
     labels_ = labels;

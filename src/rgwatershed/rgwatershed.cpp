@@ -104,7 +104,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    merge_buffers.squares.clear(); // variances are not measured
+    merge_buffers.textures.clear(); // not measured
     mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
     if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
@@ -172,13 +172,13 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     }
 }
 
-//! Where time matters least: the last unions are chosen when boundaries are settled, by what varies inside of regions,
-//! too. This follows what people see more than any number of smaller blocks.
+//! Where time matters least: the last unions are chosen when boundaries are settled, by the textures of regions, too.
+//! This follows what people see more than any number of smaller blocks.
 void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view(CV_32SC1);
-    measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.squares);
+    measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
                         merge_buffers, labels_[0], regions_);
     sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);

@@ -89,16 +89,16 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
 //! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 92, 50, 0, 33, 45, 0, 3.3f, 256, 1, false, 0, true };
+    MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, 3.3f, 256, 1, false, 0, true };
     rules.length = cvRound(13 + 34 * std::min(ruler / 10, 1.f));
     rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }
 
-//! The last merging where there is one of pixels: by variances, and with the compactness that the ruler asks for.
+//! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
 inline MergeRules pixelMergeRules(float ruler)
 {
-    MergeRules rules = MERGE_BY_VARIANCES;
+    MergeRules rules = MERGE_BY_TEXTURES;
     rules.usual = 3.6f;
     rules.length = cvRound(double(rules.length) * mergeRules(ruler).length / mergeRules(10).length);
     return rules;

@@ -9,17 +9,18 @@ namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-//! Colour and depth of some pixels, as a region sums them up, and squared colours.
+//! Colour and depth of some pixels, as a region sums them up, and their texture.
 struct ColorSum
 {
-    uint64 channels[4], squares;
+    uint64 channels[4];
+    RegionTexture texture;
     int area, depth_area;
 
     void add(const ColorSum& s)
     {
         for (int k = 0; k < 4; k++)
             channels[k] += s.channels[k];
-        squares += s.squares;
+        texture.add(s.texture);
         area += s.area;
         depth_area += s.depth_area;
     }
@@ -32,73 +33,139 @@ struct ColorSum
     }
 };
 
+//! Pixels of a row, and those below them.
+struct PixelRows
+{
+    const Feature *features, *below;
+    const int* labels_below;
+
+    void skip(int count)
+    {
+        features += count;
+        below += count;
+        labels_below += count;
+    }
+};
+
+inline v_uint8x16 loadFour(const Feature* features) { return v_load(reinterpret_cast<const uchar*>(features)); }
+
 inline void addTo(uint64* sums, const v_uint64x2& values) { v_store(sums, add(v_load(sums), values)); }
 
-//! Sums of a few features, four at a time.
-class FeatureSums
+//! Sums of the channels of a few features, or of differences between them, four at a time.
+class ChannelSums
 {
 public:
-    explicit FeatureSums(const v_uint16x8& weights)
-        : weights_(weights), sums_(v_setzero_u16()), squares_(v_setzero_s32())
+    ChannelSums() : sums_(v_setzero_u16()) {}
+
+    void add(const v_uint8x16& four)
     {
+        v_uint16x8 first, second;
+        v_expand(four, first, second);
+        sums_ = v_add_wrap(sums_, v_add_wrap(first, second));
     }
 
-    void add(const v_uint8x16& features)
-    {
-        v_uint16x8 pairs[2];
-        v_expand(features, pairs[0], pairs[1]);
-        for (int k = 0; k < 2; k++)
-        {
-            const v_int16x8 weighted = v_reinterpret_as_s16(v_mul_wrap(pairs[k], weights_));
-            sums_ = v_add_wrap(sums_, pairs[k]);
-            squares_ = v_dotprod(weighted, weighted, squares_);
-        }
-    }
-
-    void addTo(ColorSum& to) const
+    void addTo(uint64* channels) const
     {
         v_uint32x4 even, odd;
         v_expand(sums_, even, odd);
         v_uint64x2 first, second;
         v_expand(gws::add(even, odd), first, second);
-        gws::addTo(to.channels, first);
-        gws::addTo(to.channels + 2, second);
-        to.squares += v_reduce_sum(v_reinterpret_as_u32(squares_));
+        gws::addTo(channels, first);
+        gws::addTo(channels + 2, second);
+    }
+
+    int weighted(const v_int16x8& weights) const
+    {
+        return v_reduce_sum(v_dotprod(v_reinterpret_as_s16(sums_), weights));
     }
 
 private:
-    const v_uint16x8 weights_;
     v_uint16x8 sums_;
-    v_int32x4 squares_;
 };
 
 enum { AT_ONCE = 16 };
 
-//! Adds the first ones of some features.
-inline void addColors(const Feature* features, int count, const v_uint16x8& weights, ColorSum& to)
+//! As many of AT_ONCE words are all bits as are asked for, the others none.
+inline const int* firstWords(int count)
 {
     static const int MASKS[2 * AT_ONCE] = { -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1 };
-    const int* masks = MASKS + AT_ONCE - count;
-    FeatureSums sums(weights);
-    for (int k = 0; k < AT_ONCE; k += 4)
-        sums.add(bitAnd(v_load(reinterpret_cast<const uchar*>(features + k)), v_reinterpret_as_u8(v_load(masks + k))));
-    sums.addTo(to);
+    return MASKS + AT_ONCE - count;
 }
 
-//! Adds a run of features. Most are short: so many are read at once, with those behind the end masked, which takes less
-//! time than a branch that is not foreseen. `room` features may be read.
-void addColors(const Feature* features, int count, int room, const v_uint16x8& weights, ColorSum& to)
+inline v_uint8x16 loadMask(const int* words) { return v_reinterpret_as_u8(v_load(words)); }
+
+//! Adds the first ones of some pixels.
+inline void addColors(const Feature* features, int count, ColorSum& to)
 {
-    for (; count > 0; count -= AT_ONCE, room -= AT_ONCE, features += AT_ONCE)
+    const int* mask = firstWords(count);
+    ChannelSums sums;
+    for (int k = 0; k < AT_ONCE; k += 4)
+        sums.add(bitAnd(loadFour(features + k), loadMask(mask + k)));
+    sums.addTo(to.channels);
+}
+
+//! Adds the steps to the next pixels of the row, where there are so many of the same label, and to those below.
+inline void addSteps(const PixelRows& pixels, int label, int count, int count_across, const v_int16x8& weights,
+                     RegionTexture& to)
+{
+    const int *mask = firstWords(count), *mask_across = firstWords(count_across);
+    const v_int32x4 own = v_setall_s32(label);
+    ChannelSums across, down;
+    for (int k = 0; k < AT_ONCE; k += 4)
     {
+        const v_uint8x16 four = loadFour(pixels.features + k);
+        const v_uint8x16 same = v_reinterpret_as_u8(equal(v_load(pixels.labels_below + k), own));
+        across.add(bitAnd(v_absdiff(four, loadFour(pixels.features + k + 1)), loadMask(mask_across + k)));
+        down.add(bitAnd(v_absdiff(four, loadFour(pixels.below + k)), bitAnd(same, loadMask(mask + k))));
+    }
+    to.across += across.weighted(weights);
+    to.down += down.weighted(weights);
+}
+
+//! A few pixels at the end of a row, with room behind them.
+template <bool WITH_TEXTURE> struct LastPixels
+{
+    Feature features[AT_ONCE + 1], below[AT_ONCE + 1];
+    int labels_below[AT_ONCE];
+
+    LastPixels(const PixelRows& from, int count) : features()
+    {
+        std::copy_n(from.features, count, features);
+        if (!WITH_TEXTURE)
+            return;
+        std::fill_n(below, AT_ONCE + 1, Feature());
+        std::fill_n(labels_below, int(AT_ONCE), 0);
+        std::copy_n(from.below, count, below);
+        std::copy_n(from.labels_below, count, labels_below);
+    }
+    PixelRows rows() const
+    {
+        const PixelRows rows = { features, below, labels_below };
+        return rows;
+    }
+};
+
+template <bool WITH_TEXTURE>
+inline void addPixels(const PixelRows& pixels, int label, int count, int count_across, const v_int16x8& weights,
+                      ColorSum& to)
+{
+    addColors(pixels.features, count, to);
+    if (WITH_TEXTURE)
+        addSteps(pixels, label, count, count_across, weights, to.texture);
+}
+
+//! Adds a run of pixels of one label. Most are short: so many are read at once, with those behind the end masked, which
+//! takes less time than a branch that is not foreseen. `room` pixels may be read.
+template <bool WITH_TEXTURE>
+void addRun(PixelRows pixels, int label, int count, int room, const v_int16x8& weights, ColorSum& to)
+{
+    for (; count > 0; count -= AT_ONCE, room -= AT_ONCE, pixels.skip(AT_ONCE))
+    {
+        const int now = std::min<int>(count, AT_ONCE), now_across = std::min<int>(count - 1, AT_ONCE);
         if (room >= AT_ONCE)
-        {
-            addColors(features, std::min<int>(count, AT_ONCE), weights, to);
-            continue;
-        }
-        Feature copies[AT_ONCE] = {};
-        std::copy_n(features, room, copies);
-        addColors(copies, count, weights, to);
+            addPixels<WITH_TEXTURE>(pixels, label, now, now_across, weights, to);
+        else
+            addPixels<WITH_TEXTURE>(LastPixels<WITH_TEXTURE>(pixels, room).rows(), label, now, now_across, weights, to);
     }
 }
 
@@ -110,51 +177,64 @@ int countDepths(const Feature* features, int count)
     return with_depth;
 }
 
-void addRun(const Feature* features, int count, int room, const v_uint16x8& weights, ColorSum& to)
+//! Colours and depths of regions, and their textures if they are asked for: of every second row, which is enough.
+void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures, const v_int16x8& weights,
+               std::vector<ColorSum>& sums)
 {
-    const uint64 depth = to.channels[3];
-    addColors(features, count, room, weights, to);
-    to.area += count;
-    if (to.channels[3] != depth)
-        to.depth_area += countDepths(features, count);
-}
-
-} // namespace
-
-void measureRegions(const FeatureMap& features, const Mat& labels, const RegionDistance& distance, Regions& regions,
-                    std::vector<int64>& squares)
-{
-    CV_TRACE_FUNCTION();
-    ushort weights[8] = {}; // of two features, for steps
-    for (int k = 0; k < 8; k++)
-    {
-        const int weight = distance.weights[0][k % 4] * STEPS_PER_LEVEL;
-        CV_DbgAssert(weight % FULL_WEIGHT == 0 && weight <= STEPS_PER_LEVEL * FULL_WEIGHT); // so squares fit
-        weights[k] = ushort(weight / FULL_WEIGHT);
-    }
-    std::vector<ColorSum> sums(regions.size());
     sumByLabel(labels, [&](ColorSum& sum, int y, const Range& xs)
     {
-        addRun(features.row(y) + xs.start, xs.size(), labels.cols - xs.start, v_load(weights), sum);
+        const Feature* own = features.row(y) + xs.start;
+        const int* own_labels = labels.ptr<int>(y) + xs.start;
+        const bool last = y + 1 == labels.rows; // no steps down from there
+        const PixelRows pixels = { own, own + (last ? 0 : features.step()),
+                                   own_labels + (last ? 0 : labels.step1()) };
+        const int label = *own_labels, room = labels.cols - xs.start;
+        const uint64 depth = sum.channels[3];
+        if (with_textures && y % 2 == 0)
+            addRun<true>(pixels, label, xs.size(), room, weights, sum);
+        else
+            addRun<false>(pixels, label, xs.size(), room, weights, sum);
+        sum.area += xs.size();
+        if (sum.channels[3] != depth)
+            sum.depth_area += countDepths(own, xs.size());
     }, sums);
+}
+
+void setSums(const FeatureMap& features, const Mat& labels, const std::vector<ColorSum>& sums, Regions& regions)
+{
     regions.surfaces.present = false;
     regions.resize(regions.size());
-    squares.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
-    {
         regions.sums[i] = sums[i].toRegion();
-        squares[i] = int64(sums[i].squares);
-    }
     if (features.withNormals())
         measureSurfaces(features, labels, regions);
     else
         regions.update();
 }
 
+} // namespace
+
+void measureRegions(const FeatureMap& features, const Mat& labels, const RegionDistance& distance, Regions& regions,
+                    std::vector<RegionTexture>& textures)
+{
+    CV_TRACE_FUNCTION();
+    short weights[8] = {}; // of two features, for steps
+    for (int k = 0; k < 8; k++)
+        weights[k] = short(distance.weights[0][k % 4] * STEPS_PER_LEVEL / FULL_WEIGHT);
+    std::vector<ColorSum> sums(regions.size());
+    sumColors(features, labels, true, v_load(weights), sums);
+    setSums(features, labels, sums, regions);
+    textures.resize(regions.size());
+    for (int i = 0; i < regions.size(); i++)
+        textures[i] = sums[i].texture;
+}
+
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)
 {
-    std::vector<int64> squares;
-    measureRegions(features, labels, RegionDistance(0, 0, 1, false), regions, squares);
+    CV_TRACE_FUNCTION();
+    std::vector<ColorSum> sums(regions.size());
+    sumColors(features, labels, false, v_setzero_s16(), sums);
+    setSums(features, labels, sums, regions);
 }
 
 //! Sums of places and normals fit into 32 bits in a row, whose places are those of 16 bits.

@@ -9,12 +9,25 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
+//! below them, weighted, in 1/16 of a level, in every second row. It grows with details, but hardly with shading.
+struct RegionTexture
+{
+    int64 across, down;
+
+    void add(const RegionTexture& t)
+    {
+        across += t.across;
+        down += t.down;
+    }
+};
+
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);
 
-//! The same, and of each region the sum of its squared colours, weighted, in 1/256 of a squared level.
+//! The same, and the texture of each region.
 void measureRegions(const FeatureMap& features, const Mat& labels, const RegionDistance& distance, Regions& regions,
-                    std::vector<int64>& squares);
+                    std::vector<RegionTexture>& textures);
 
 //! Computes the surfaces of regions whose other sums are known, and all means.
 void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions);

@@ -12,7 +12,6 @@ namespace cv { namespace ximgproc { namespace gws {
 
 // Of the pairs, so many are united in a round: more as long as there are FAR times as many regions as are wanted.
 static const double SHARE = 0.4, SHARE_FAR = 0.8, FAR = 2;
-static const int UNKNOWN_VARIANCE = 120 * 256;
 static const uint64 NO_PRICE = ~uint64(0);
 
 //! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
@@ -48,11 +47,11 @@ void SimilarMerger::run(int num_regions)
             b_.graph.relabel(b_.parents, b_.changed);
 }
 
-//! The two highest bits: how many regions there are, so roughly that costs are taken anew a few times only.
+//! The three highest bits: how many regions there are, so roughly that costs are taken anew a few times only.
 static int leadingBits(int n)
 {
     int lowest = 1;
-    while (n / lowest >= 4)
+    while (n / lowest >= 8)
         lowest *= 2;
     return n / lowest * lowest;
 }
@@ -98,19 +97,15 @@ void SimilarMerger::start()
         area_ += b_.records[i].area;
 }
 
-//! The square of a sum over the number is taken apart, so that nothing is rounded before the end:
-//! with sum = q n + r it is q^2 n + 2 q r + r^2 / n.
-int64 SimilarMerger::variance(int region) const
+//! Steps are divided by pixels, not by their own number. So a narrow region, with few of them, counts as a smooth one.
+void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 {
-    const RegionSum& sum = regions_.sums[region];
-    int64 squares = b_.squares[region];
-    for (int k = 0; k < 3; k++)
-    {
-        const int64 n = sum.area, weighted = sum.color[k] * distance_.weights[0][k] / (FULL_WEIGHT / STEPS_PER_LEVEL);
-        const int64 q = weighted / n, r = weighted % n;
-        squares -= q * q * n + 2 * q * r + r * r / n;
-    }
-    return std::max<int64>(squares, 0) / sum.area;
+    const int64 FINE = STEPS_PER_LEVEL, FLAT = STEPS_PER_LEVEL / 2; // for each pixel; less is like none
+    const RegionTexture& texture = b_.textures[region];
+    const int64 area = regions_.sums[region].area;
+    record.texture = short(logarithm(float(texture.across + texture.down + FINE * area)) - logarithm(float(area)));
+    record.direction = short(logarithm(float(texture.across + FLAT * area)) -
+                             logarithm(float(texture.down + FLAT * area)));
 }
 
 MergeRegion SimilarMerger::describe(int region) const
@@ -121,11 +116,12 @@ MergeRegion SimilarMerger::describe(int region) const
             ? areaScale(mean.depth, regions_.surfaces.camera) : 1.f;
     const float area = float(sum.area) * scale;
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
-                           b_.squares.empty() ? UNKNOWN_VARIANCE : int(variance(region)),
-                           float(sum.color[0] + 16 * int64(sum.area)) * scale,
+                           0, 0, float(sum.color[0] + 16 * int64(sum.area)) * scale,
                            region / rules_.in_cell, region };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
+    if (!b_.textures.empty())
+        describeTexture(region, record);
     return record;
 }
 
@@ -321,8 +317,8 @@ void SimilarMerger::unite()
 void SimilarMerger::unite(const MergePair& pair)
 {
     regions_.unite(pair.from, pair.to);
-    if (!b_.squares.empty())
-        b_.squares[pair.to] += b_.squares[pair.from];
+    if (!b_.textures.empty())
+        b_.textures[pair.to].add(b_.textures[pair.from]);
     b_.records[pair.to] = describe(pair.to);
     b_.parents[pair.from] = pair.to;
     b_.changed[pair.to] = 1;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
+#include "shared/region_measure.hpp"
 #include "shared/union_cost.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -28,11 +29,11 @@ struct MergeBand
     std::vector<MergePair> pairs;
 };
 
-//! Buffers of merging. The graph and the squares are also its input.
+//! Buffers of merging. The graph and the textures are also its input.
 struct MergeBuffers
 {
     MergeGraph graph;
-    std::vector<int64> squares;     // of each region: sum of its squared colours, weighted; empty: no variances
+    std::vector<RegionTexture> textures; // of each region; empty: not measured
     std::vector<MergeBand> bands;
     std::vector<MergeRegion> records;
     std::vector<uint64> best;       // of each region: the price of its cheapest union
@@ -62,7 +63,7 @@ public:
 private:
     void start();
     void expect(int num_regions);
-    int64 variance(int region) const;
+    void describeTexture(int region, MergeRegion& record) const;
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();

@@ -6,14 +6,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// The noise between regions of the same cell of the grid of markers, in 1/256 of the variance. So these are united
+// The noise between regions of the same cell of the grid of markers, in 1/64 of a squared level. So these are united
 // first where colours are even, and superpixels are the cells of the grid there.
 enum { NOISE_IN_CELL = 24 };
 
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
-
-// What is added to variances, in 1/256 of a squared level: to that of two regions, and to the larger one.
-enum { LEAST_VARIANCE = 16 * 256, LEAST_TEXTURE = 8 * 256 };
 
 //! Of weighted means, in 1/256 of a squared level.
 static inline int squaredDistance(const short* a, const short* b)
@@ -60,14 +57,6 @@ int UnionCost::distanceWithDepth(const MergeRegion& a, const MergeRegion& b) con
             : squaredDistance(distance_, a.mean, b.mean);
 }
 
-//! In 1/256 of a squared level, as squared distances.
-//! @note The variance is rounded first, so that 32 bits are enough.
-int UnionCost::noiseBetween(const MergeRegion& a, const MergeRegion& b) const
-{
-    const int noise = a.cell != b.cell ? noise_ : int(NOISE_IN_CELL);
-    return (noise * ((a.variance + b.variance + LEAST_VARIANCE) >> 8)) >> 6;
-}
-
 //! The words of four records: one vector for each.
 struct FourRegions
 {
@@ -78,11 +67,12 @@ struct FourRegions
             words[k] = v_reinterpret_as_s32(v_load(regions[k]->mean));
         v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, area, log_area);
         for (int k = 0; k < 4; k++)
-            words[k] = v_load(&regions[k]->variance);
-        v_transpose4x4(words[0], words[1], words[2], words[3], variance, light, cell, index);
+            words[k] = v_reinterpret_as_s32(v_load(&regions[k]->texture));
+        v_transpose4x4(words[0], words[1], words[2], words[3], textures, light, cell, index);
     }
 
-    v_int32x4 first_means, last_mean, area, log_area, variance, light, cell, index; // means are pairs of 16 bits
+    v_int32x4 first_means, last_mean, textures; // pairs of 16 bits
+    v_int32x4 area, log_area, light, cell, index;
 };
 
 static inline v_int32x4 logarithm(const v_float32x4& values)
@@ -123,13 +113,12 @@ static inline v_int32x4 weigh(const v_int32x4& a, const v_int32x4& b, const v_in
 void UnionCost::findFour(MergeEdge* edges) const
 {
     const MergeRegion *first[4], *second[4];
-    int distances[4], noises[4], costs[4];
+    int distances[4], costs[4];
     float contrasts[4];
     for (int k = 0; k < 4; k++)
     {
         first[k] = records_ + edges[k].a;
         second[k] = records_ + edges[k].b;
-        noises[k] = noiseBetween(*first[k], *second[k]);
         contrasts[k] = float(edges[k].contrast + STEPS_PER_LEVEL * int64(edges[k].length));
         if (distance_.with_depth)
             distances[k] = distanceWithDepth(*first[k], *second[k]);
@@ -140,26 +129,31 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 squared_distance = distance_.with_depth
             ? v_load(distances)
             : v_dotprod(differences, differences, v_dotprod(last_differences, last_differences));
-    const v_int32x4 light_difference = v_shr<16>(v_shl<16>(v_reinterpret_as_s32(differences)));
+    const v_int32x4 steps = v_reinterpret_as_s32(v_abs(differences)); // of two channels in a word
+    const v_int32x4 last_steps = v_reinterpret_as_s32(v_abs(last_differences));
+    const v_int16x8 textures = v_reinterpret_as_s16(a.textures), other_textures = v_reinterpret_as_s16(b.textures);
+    const v_int32x4 smoother = v_reinterpret_as_s32(v_min(textures, other_textures));
+    const v_int32x4 turn = v_shr<16>(v_reinterpret_as_s32(v_abs(v_sub_wrap(textures, other_textures))));
 
-    const v_int32x4 zero = v_setzero_s32(), log_64 = v_setall_s32(6 << 8);
+    const v_int32x4 zero = v_setzero_s32();
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
     const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
-    const v_int32x4 variance = logarithm(add(add(a.variance, b.variance), v_setall_s32(LEAST_VARIANCE)));
-    const v_int32x4 distance = subtract(add(logarithm(add(squared_distance, v_load(noises))), log_64), variance);
+    const v_int32x4 noise = v_select(equal(a.cell, b.cell), noise_in_cell_, noise_);
+    const v_int32x4 distance = logarithm(add(squared_distance, noise));
     const v_int32x4 areas = subtract(add(a.log_area, b.log_area), log_union);
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
-    const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(v_abs(light_difference)), light_level_));
+    const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
+    const v_int32x4 chroma = logarithm(add(add(v_shr<16>(steps), last_steps), v_setall_s32(STEPS_PER_LEVEL)));
     const v_int32x4 brightness = subtract(logarithm(sumOf(a.light, b.light)), log_union);
-    const v_int32x4 texture = logarithm(add(v_max(a.variance, b.variance), v_setall_s32(LEAST_TEXTURE)));
 
     v_int32x4 cost = weigh(distance, excess, distance_and_excess_, zero);
     cost = weigh(areas, contrast, areas_and_contrast_, cost);
     cost = weigh(relative_length, lightness, length_and_lightness_, cost);
-    cost = weigh(brightness, texture, brightness_and_texture_, cost);
+    cost = weigh(brightness, chroma, brightness_and_chroma_, cost);
+    cost = weigh(smoother, turn, texture_and_direction_, cost);
     v_store(costs, cost);
     for (int k = 0; k < 4; k++)
         edges[k].cost = costs[k];
@@ -173,13 +167,15 @@ static int weighLightness(int exponent, const RegionDistance& distance)
 
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
                      const SurfaceMean* surfaces, int log_usual_area)
-    : distance_(distance), records_(records), surfaces_(surfaces), noise_(rules.noise),
+    : distance_(distance), records_(records), surfaces_(surfaces),
+      noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * NOISE_IN_CELL)),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
-      distance_and_excess_(makePairs(rules.distance, EXCESS)),
+      distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),
       length_and_lightness_(makePairs(-rules.length, -weighLightness(rules.lightness, distance))),
-      brightness_and_texture_(makePairs(-weighLightness(rules.brightness, distance), rules.texture))
+      brightness_and_chroma_(makePairs(-weighLightness(rules.brightness, distance), rules.chroma)),
+      texture_and_direction_(makePairs(-rules.texture, rules.direction))
 {
 }
 

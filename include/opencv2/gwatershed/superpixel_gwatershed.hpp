@@ -199,19 +199,21 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, lightness,
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, colour,
     texture and size:
-    @f[ (64 d^2 / V + 1.25)\left(\frac{n_a n_b}{n_a + n_b}\right)^{1.3} (h + 1)^{0.97}
-        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-1.02} (|L_a - L_b| + 1)^{-0.84} (L + 16)^{-0.87}
-        (\max(v_a, v_b) + 8)^{0.61} \max(1, (n_a + n_b) / u)^{32} @f]
-    d is the distance of the mean colours and depths (Euclidean), v the variance of the colours in each of the two,
-    and V = v_a + v_b + 16; n the number of pixels, l the length of the common boundary in pixel edges, and h the
-    contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. u is 2.7
-    times the mean number of pixels of the superpixels that are left, whose number counts with all but its two highest
-    bits cleared. L are the mean lightnesses, and that of both together, from 0 to 255. The distances are in 8-bit
-    levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after
-    setLabInput(true); alpha weighs depth. The terms of lightness count less beside depth, and not at all at an alpha
-    of 0.5 or less.
+    @f[ (d^2 + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.69} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
+        (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
+        \max(1, (n_a + n_b) / u)^{32} @f]
+    d is the distance of the mean colours and depths (Euclidean), and c that of the two channels beside lightness (sum
+    of absolute differences); n the number of pixels, l the length of the common boundary in pixel edges, and h the
+    contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. L are the
+    mean lightnesses, and that of both together, from 0 to 255. Texture is t = x + y and r = (x + 0.5) / (y + 0.5): x
+    and y are the distances of pixels to those to their right and below them in the same superpixel of iterate(), added
+    up over every second row and divided by n. u is 2.9 times the mean number of pixels of the superpixels that are
+    left, whose number counts with all but its three highest bits cleared. The distances are in 8-bit levels of the
+    opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after setLabInput(true); alpha weighs
+    depth. The terms of lightness count less beside depth, and not at all at an alpha of 0.5 or less.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.
@@ -349,7 +351,7 @@ public:
     | 0 | fewer markers | 0.85 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.059 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
     With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
