@@ -119,7 +119,7 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
 void RegionChoice::compare(int pixel, int square, Choice& choice) const
 {
     const int* label = labels_ + pixel;
-    const int region = label[first_offsets_[choice.seen]], mask = neighborMask(label, step_, region);
+    const int region = label[first_offsets_[choice.seen]], mask = table_.neighborMask(label, step_, region);
     const int energy = square - savings_[mask];
     const int better = -int((energy < choice.energy) & (region >= 0)); // all bits
     choice.region ^= (choice.region ^ region) & better;
