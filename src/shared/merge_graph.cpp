@@ -192,23 +192,23 @@ void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
     findLeaving(k);
 }
 
-//! What belongs to another list now is fresh: one of its regions was taken in.
+//! What belongs to another list now is fresh: one of its regions was taken in. The last edge takes its place.
 void MergeGraph::findLeaving(int k)
 {
     if (numBands() == 1)
         return;
     EdgeList &fresh = fresh_[k], &leaving = leaving_[k];
-    size_t count = 0;
-    for (size_t i = 0; i < fresh.count; i++)
+    size_t i = 0;
+    while (i < fresh.count)
     {
-        if (listOf(fresh.edges[i].a, fresh.edges[i].b) != k)
-            leaving.append(fresh, i, i + 1);
-        else if (leaving.count > 0)
-            fresh.edges[count++] = fresh.edges[i];
-        else
-            count++;
+        if (listOf(fresh.edges[i].a, fresh.edges[i].b) == k)
+        {
+            i++;
+            continue;
+        }
+        leaving.append(fresh, i, i + 1);
+        fresh.edges[i] = fresh.edges[--fresh.count];
     }
-    fresh.count = count;
 }
 
 //! Edges of regions that were united across the limit of a band.
