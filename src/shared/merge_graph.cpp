@@ -140,15 +140,13 @@ void MergeGraph::findSegments(EdgeRows& rows) const
 {
     const EdgeList& list = rows.edges;
     rows.segments.clear();
-    for (size_t i = 0; i < list.count; i++)
+    for (size_t i = 0; i < list.count;)
     {
-        const int of = listOf(list.edges[i].a, list.edges[i].b);
-        if (rows.segments.empty() || rows.segments.back().list != of)
-        {
-            const EdgeRows::Segment segment = { of, i, i };
-            rows.segments.push_back(segment);
-        }
-        rows.segments.back().last = i + 1;
+        EdgeRows::Segment segment = { listOf(list.edges[i].a, list.edges[i].b), i, i };
+        while (i < list.count && listOf(list.edges[i].a, list.edges[i].b) == segment.list)
+            i++;
+        segment.last = i;
+        rows.segments.push_back(segment);
     }
 }
 
@@ -173,22 +171,21 @@ void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
 {
     EdgeList &known = known_[k], &fresh = fresh_[k];
     fresh.reserve(known.count + 1);
-    MergeEdge *edges = known.edges.data(), *fresh_edges = fresh.edges.data();
-    const size_t count = known.count;
-    size_t num_known = 0, num_fresh = 0;
-    for (size_t i = 0; i < count; i++)
+    MergeEdge *known_end = known.edges.data(), *fresh_end = fresh.edges.data();
+    const MergeEdge* const end = known_end + known.count;
+    for (const MergeEdge* edge = known_end; edge != end; edge++)
     {
-        const int a = parents[edges[i].a], b = parents[edges[i].b];
-        MergeEdge edge = edges[i];
-        edge.a = lowerOf(a, b);
-        edge.b = a ^ b ^ edge.a;
+        const int a = parents[edge->a], b = parents[edge->b], lower = lowerOf(a, b);
         const size_t exists = a != b, is_fresh = changed[a] | changed[b];
-        edges[num_known] = fresh_edges[num_fresh] = edge;
-        num_known += exists & (is_fresh ^ 1);
-        num_fresh += exists & is_fresh;
+        *fresh_end = *edge;
+        *known_end = *edge;
+        fresh_end->a = known_end->a = lower;
+        fresh_end->b = known_end->b = a ^ b ^ lower;
+        known_end += exists & (is_fresh ^ 1);
+        fresh_end += exists & is_fresh;
     }
-    known.count = num_known;
-    fresh.count = num_fresh;
+    known.count = size_t(known_end - known.edges.data());
+    fresh.count = size_t(fresh_end - fresh.edges.data());
     findLeaving(k);
 }
 
