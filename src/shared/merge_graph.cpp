@@ -220,39 +220,34 @@ void MergeGraph::handOver()
     }
 }
 
-enum { NONE = -1 }; // in a table of edges
+enum { FREE = INT_MAX }; // in a table of edges
 
-//! Whether there is an edge in a slot, but between other regions. Mostly not; whether there is one at all cannot be
-//! foreseen, so it is no branch.
-static inline bool isAnother(const MergeEdge* edges, int found, const MergeEdge& edge)
+static inline bool isBetween(const MergeEdge& edge, int a, int b)
 {
-    const MergeEdge& other = edges[found & ~(found >> 31)];
-    return ((other.a ^ edge.a) | (other.b ^ edge.b)) & ~(found >> 31);
+    return ((edge.a ^ a) | (edge.b ^ b)) == 0;
 }
 
 //! Makes one edge of those between the same regions. Returns how many there are then. The table, of so many bits, has
-//! the index of each edge, in the first free slot; most slots stay free. An edge is written in any case, and the next
-//! one over it if it was there before.
+//! the index of each edge, in the first free slot; most slots stay free. Behind the edges one is ready that the pair of
+//! regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that one, and there is no
+//! branch.
 static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* table, MergeEdge* edges)
 {
     const unsigned last_slot = (1u << bits) - 1;
     int count = 0;
     for (const MergeEdge* end = from + num_edges; from != end; from++)
     {
-        unsigned slot = (unsigned(from->a) * 0x9E3779B1u ^ unsigned(from->b) * 0x85EBCA77u) >> (32 - bits);
-        int found = table[slot];
-        while (isAnother(edges, found, *from))
-        {
+        const int a = from->a, b = from->b;
+        const MergeEdge ready = { a, b, 0, 0, 0 };
+        edges[count] = ready;
+        unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
+        while (!isBetween(edges[std::min(table[slot], count)], a, b)) // seldom
             slot = (slot + 1) & last_slot;
-            found = table[slot];
-        }
-        const int is_new = -int(found == NONE), to = found ^ ((found ^ count) & is_new);
-        const MergeEdge empty = { from->a, from->b, 0, 0, 0 };
-        edges[count] = empty;
+        const int to = std::min(table[slot], count);
         edges[to].length += from->length;
         edges[to].contrast += from->contrast;
         table[slot] = to;
-        count -= is_new;
+        count += to == count;
     }
     return size_t(count);
 }
@@ -264,7 +259,7 @@ size_t MergeGraph::join(int k, std::vector<int>& table)
     int bits = 4;
     while ((size_t(1) << bits) < 3 * fresh.count)
         bits++;
-    table.assign(size_t(1) << bits, NONE);
+    table.assign(size_t(1) << bits, FREE);
     known.reserve(first + fresh.count);
     known.count += joinEdges(fresh.edges.data(), fresh.count, bits, table.data(), known.edges.data() + first);
     fresh.count = 0;
