@@ -260,7 +260,7 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
         }
     });
     if (features.withNormals())
-        measureSurfaces(features, labels.view(CV_32SC1), regions);
+        measureSurfaces(features, labels.view(), regions);
 }
 
 void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
@@ -289,7 +289,7 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
     if (features.withNormals())
-        measureSurfaces(features, labels.view(CV_32SC1), regions);
+        measureSurfaces(features, labels.view(), regions);
     else
         regions.update();
 }
