@@ -240,9 +240,12 @@ static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* 
         const MergeEdge ready = { a, b, 0, 0, 0 };
         edges[count] = ready;
         unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
-        while (!isBetween(edges[std::min(table[slot], count)], a, b)) // seldom
+        int to = lowerOf(table[slot], count);
+        while (!isBetween(edges[to], a, b)) // seldom
+        {
             slot = (slot + 1) & last_slot;
-        const int to = std::min(table[slot], count);
+            to = lowerOf(table[slot], count);
+        }
         edges[to].length += from->length;
         edges[to].contrast += from->contrast;
         table[slot] = to;
