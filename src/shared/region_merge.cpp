@@ -141,13 +141,14 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
     const size_t FEWEST = 32; // active regions for each pair; else they depend on each other in long chains, or on one
     const double share = in_order || num_left_ <= FAR * num_wanted ? SHARE : SHARE_FAR;
     const size_t most = num_left_ - num_wanted;
-    if (num_pairs * FEWEST < num_active)
+    const bool one_sided = num_pairs * FEWEST < num_active;
+    if (one_sided)
         chooseOneSided(share, most);
     else
         choose(std::min(most, size_t(std::ceil(share * double(countWelcome(num_pairs))))));
     if (in_order)
         std::sort(b_.chosen.begin(), b_.chosen.end());
-    unite();
+    unite(one_sided);
     return true;
 }
 
@@ -200,19 +201,22 @@ void SimilarMerger::findPairs(int band)
     std::vector<int>& active = b_.bands[band].active;
     std::vector<MergePair>& pairs = b_.bands[band].pairs;
     pairs.resize(active.size());
+    const uint64* const best = b_.best.data();
+    const int* const parents = b_.parents.data();
+    uchar* const changed = b_.changed.data();
     size_t num_active = 0, num_pairs = 0;
     for (size_t i = 0; i < active.size(); i++)
     {
         const int region = active[i];
-        const uint64 price = b_.best[region];
-        if (b_.parents[region] != region || price == NO_PRICE)
+        const uint64 price = best[region];
+        if (parents[region] != region || price == NO_PRICE)
             continue;
         active[num_active++] = region;
-        b_.changed[region] = 0;
+        changed[region] = 0;
         const int neighbor = neighborOf(region, price);
         const MergePair pair(price, neighbor, region);
         pairs[num_pairs] = pair;
-        num_pairs += (region < neighbor) & (b_.best[neighbor] == price);
+        num_pairs += (region < neighbor) & (best[neighbor] == price);
     }
     active.resize(num_active);
     pairs.resize(num_pairs);
@@ -307,11 +311,20 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
     }
 }
 
-void SimilarMerger::unite()
+//! Each region is in one pair, unless they are one-sided: then many can be united at the same time.
+void SimilarMerger::unite(bool one_sided)
 {
-    for (size_t i = 0; i < b_.chosen.size(); i++)
-        unite(b_.chosen[i]);
-    num_left_ -= int(b_.chosen.size());
+    const int AT_LEAST = 512, count = int(b_.chosen.size());
+    const auto work = [&](const Range& range)
+    {
+        for (int i = range.start; i < range.end; i++)
+            unite(b_.chosen[i]);
+    };
+    if (one_sided || count < AT_LEAST)
+        work(Range(0, count));
+    else
+        parallel_for_(Range(0, count), work);
+    num_left_ -= count;
 }
 
 void SimilarMerger::unite(const MergePair& pair)

@@ -74,7 +74,7 @@ private:
     size_t countWelcome(size_t num_pairs) const;
     void choose(size_t count);
     void chooseOneSided(double share, size_t most);
-    void unite();
+    void unite(bool one_sided);
     void unite(const MergePair& pair);
 
     const RegionDistance distance_;
