@@ -85,7 +85,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         costs[e->first] = 0.58 * straightLog(d.dot(d) + 1.5) +
                           straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                           0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
-                          0.69 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                          0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                           0.39 * straightLog(16 * std::abs(d[0]) + 7) -
                           0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
                           0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -

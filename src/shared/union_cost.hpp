@@ -31,7 +31,7 @@ struct MergeRules
 };
 
 //! For regions of pixels whose textures are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_TEXTURES = { 37, 56, 64, 61, 44, 25, 30, 10, 75, 32, 2.9f, 96, 1, false, 0, false };
+static const MergeRules MERGE_BY_TEXTURES = { 37, 56, 64, 61, 42, 25, 30, 10, 75, 32, 2.9f, 96, 1, false, 0, false };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion

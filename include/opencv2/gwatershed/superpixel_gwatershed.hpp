@@ -202,7 +202,7 @@ public:
     Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, colour,
     texture and size:
     @f[ (d^2 + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
-        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.69} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
+        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
         (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
         \max(1, (n_a + n_b) / u)^{32} @f]
     d is the distance of the mean colours and depths (Euclidean), and c that of the two channels beside lightness (sum
