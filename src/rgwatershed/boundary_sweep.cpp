@@ -110,7 +110,7 @@ private:
         int& label = labels_.row(p.y)[p.x];
         if (!rules_.last)
         {
-            const Move made = { labels_.index(p), label, to.region };
+            const Move made = { p, label, to.region };
             moves_.add(made);
             markAround(c, p);
         }
@@ -279,28 +279,24 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
 void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
                                     Regions& regions) const
 {
-    const auto add = [&](int index, int region, int times)
+    const auto add = [&](const Move& move, int region, int times)
     {
         if (region < range.start || region >= range.end)
             return;
-        const Feature& feature = features.data()[index];
+        const Feature& feature = features.data()[features.index(move.place)];
         regions.sums[region].add(feature, times);
         if (regions.surfaces.present)
-        {
-            const Point p = features.point(index);
-            regions.surfaces.sums[region].add(feature, features.normalAt(p), p, times);
-        }
+            regions.surfaces.sums[region].add(feature, features.normalAt(move.place), move.place, times);
         if (guard)
-            guard->add(features.point(index), region, times);
+            guard->add(move.place, region, times);
     };
     for (size_t i = 0; i < moves_.size(); i++)
         for (size_t k = 0; k < moves_[i].list.size() && moves_[i].meets(range); k++)
         {
-            add(moves_[i].list[k].index, moves_[i].list[k].from, -1);
-            add(moves_[i].list[k].index, moves_[i].list[k].to, 1);
+            add(moves_[i].list[k], moves_[i].list[k].from, -1);
+            add(moves_[i].list[k], moves_[i].list[k].to, 1);
         }
-    for (int i = range.start; i < range.end; i++)
-        regions.update(i);
+    regions.update(range);
     if (guard)
         guard->update(range);
 }

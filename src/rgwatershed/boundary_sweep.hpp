@@ -53,7 +53,8 @@ private:
 
     struct Move
     {
-        int index, from, to;
+        Point place;
+        int from, to;
     };
 
     //! Moves in some rows, and the regions that lost or gained by them.

@@ -205,16 +205,39 @@ static void floodRows(const Padded<Feature>& features, const RegionDistance& dis
             .run(first_seed, end_seed);
 }
 
-//! Of depth, by the normal at a place.
-static Point slopeAt(const FeatureMap& features, Point p)
+//! Slopes of depth by the normals at the places of some markers, where flooding begins.
+static void findSlopes(const FeatureMap& features, const Point* markers, int n, FloodRegion* regions)
 {
-    const Feature& feature = features.row(p.y)[p.x];
-    if (feature.depth == 0)
-        return Point();
-    SurfaceSum sum = SurfaceSum();
-    sum.add(feature, features.normalAt(p), p);
-    const SurfaceMean mean = sum.mean(STEPS_PER_LEVEL * feature.depth, 1, features.camera);
-    return Point(mean.slope_x, mean.slope_y);
+    const SurfaceSolver solver(features.camera);
+    for (int first = 0; first < n; first += 4)
+    {
+        SurfaceSum sums[4] = {};
+        SurfaceSolver::Source sources[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const Point p = markers[std::min(first + k, n - 1)];
+            const Feature& feature = features.row(p.y)[p.x];
+            sums[k].add(feature, features.normalAt(p), p);
+            const SurfaceSolver::Source source = { &sums[k], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
+            sources[k] = source;
+        }
+        SurfaceMean means[4];
+        solver.solve(sources, means);
+        for (int k = 0; k < std::min(n - first, 4); k++)
+            regions[first + k].slope = Point(means[k].slope_x, means[k].slope_y);
+    }
+}
+
+//! Adds up the surfaces of regions over some rows that hold no part of what others add up.
+static void addSurfaces(const FeatureMap& features, const Padded<int>& labels, const Range& rows, SurfaceSum* sums)
+{
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int* row = labels.row(y);
+        for (int x = 0; x < labels.size().width; x++)
+            if (row[x] >= 0)
+                sums[row[x]].add(features.row(y)[x], features.normalAt(Point(x, y)), Point(x, y));
+    }
 }
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
@@ -225,8 +248,9 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
 {
     CV_TRACE_FUNCTION();
     const int first = regions.size();
-    regions.update();
     regions.resize(first + int(markers.size()));
+    if (features.withNormals())
+        regions.surfaces.start(features.camera, regions.size());
     buffers.regions.resize(regions.size());
     buffers.bands.resize(bands.size());
     parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
@@ -240,21 +264,20 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 labels.data()[seed] = first + m;
                 const Point middle = middles.empty() ? 2 * markers[m] : middles[m];
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m], middle);
-                if (features.withNormals())
-                    buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
             }
+            if (features.withNormals())
+                findSlopes(features, &markers[own.start], own.size(), &buffers.regions[first + own.start]);
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
                       markers.data() + own.end, buffers, buffers.bands[i], labels);
             for (int m = own.start; m < own.end; m++)
-            {
                 regions.sums[first + m] = buffers.regions[first + m].sum;
-                regions.update(first + m);
-            }
+            if (features.withNormals())
+                addSurfaces(features, labels, bands[i].rows, regions.surfaces.sums.data());
+            regions.update(Range(first + own.start, first + own.end));
         }
     });
-    if (features.withNormals())
-        measureSurfaces(features, labels.view(CV_32SC1), regions);
+    regions.update(Range(0, first));
 }
 
 void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,

@@ -313,19 +313,21 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
 
 void SimilarMerger::unite()
 {
+    b_.united.clear();
     for (size_t i = 0; i < b_.chosen.size(); i++)
-        unite(b_.chosen[i]);
+    {
+        const int from = b_.chosen[i].from, to = b_.chosen[i].to;
+        regions_.unite(from, to);
+        if (!b_.squares.empty())
+            b_.squares[to] += b_.squares[from];
+        b_.parents[from] = to;
+        b_.changed[to] = 1;
+        b_.united.push_back(to);
+    }
+    regions_.update(b_.united);
+    for (size_t i = 0; i < b_.united.size(); i++)
+        b_.records[b_.united[i]] = describe(b_.united[i]);
     num_left_ -= int(b_.chosen.size());
-}
-
-void SimilarMerger::unite(const MergePair& pair)
-{
-    regions_.unite(pair.from, pair.to);
-    if (!b_.squares.empty())
-        b_.squares[pair.to] += b_.squares[pair.from];
-    b_.records[pair.to] = describe(pair.to);
-    b_.parents[pair.from] = pair.to;
-    b_.changed[pair.to] = 1;
 }
 
 }}} // namespace

@@ -39,6 +39,7 @@ struct MergeBuffers
     std::vector<int> parents;       // the region that took each one in, or itself
     std::vector<uchar> changed;     // took in others in this round
     std::vector<MergePair> chosen;
+    std::vector<int> united;        // what the chosen ones went into
     std::vector<int> counts;        // of pairs in each bin of costs
 };
 
@@ -74,7 +75,6 @@ private:
     void choose(size_t count);
     void chooseOneSided(double share, size_t most);
     void unite();
-    void unite(const MergePair& pair);
 
     const RegionDistance distance_;
     const MergeRules rules_;

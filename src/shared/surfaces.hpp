@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_SURFACES_HPP
 
 #include "shared/features.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -77,8 +78,29 @@ struct SurfaceSum
     //! From blocks to the side x side elements in each. depth_area is that of the blocks.
     void divideBlocks(int side, int depth_area);
 
-    //! depth is the mean of the pixels that have it, in steps.
-    SurfaceMean mean(int depth, int depth_area, const Camera& camera) const;
+};
+
+//! Finds the means of surfaces from their sums, four at once.
+class SurfaceSolver
+{
+public:
+    explicit SurfaceSolver(const Camera& camera);
+
+    //! What a surface is found from. depth is the mean of the pixels that have it, in steps.
+    struct Source
+    {
+        const SurfaceSum* sum;
+        int depth, depth_area;
+    };
+
+    void solve(const Source* sources, SurfaceMean* means) const;
+
+private:
+    v_int32x4 raysOf(const v_int32x4& centers, int axis, float focal) const;
+
+    const int horizon_;         // in steps
+    const int axis_x_, axis_y_; // where the optical axis is, as centres are
+    const Point2f focal_;
 };
 
 //! The surfaces of regions, if there are normals.
