@@ -107,6 +107,24 @@ inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
     return bitAnd(v_trunc(within), hasDepth(depth));
 }
 
+//! As readDepths(), of the usual type without a detour.
+void readRow(const Mat& row, float* to)
+{
+    const int STRIDE = 8, cols = row.depth() == CV_16U ? row.cols & -STRIDE : 0;
+    const ushort* from = row.ptr<ushort>();
+    const v_uint16x8 missing = v_setall_u16(USHRT_MAX);
+    for (int x = 0; x < cols; x += STRIDE)
+    {
+        const v_uint16x8 depths = v_load(from + x);
+        v_uint32x4 low, high;
+        v_expand(v_sub_wrap(depths, bitAnd(depths, equal(depths, missing))), low, high);
+        v_store(to + x, v_cvt_f32(v_reinterpret_as_s32(low)));
+        v_store(to + x + 4, v_cvt_f32(v_reinterpret_as_s32(high)));
+    }
+    if (cols < row.cols)
+        readDepths(row.colRange(cols, row.cols), to + cols);
+}
+
 //! The lowest and the highest level of some pixels that have depth.
 struct LevelRange
 {
@@ -284,16 +302,19 @@ private:
     const std::vector<float> rays_x_, rays_y_;
 };
 
-//! Means over 3x3 blocks, where the one in the middle is known.
-void smoothRow(const int* above, const int* row, const int* below, int cols, std::vector<int>& sums, Normal* to)
+//! Means over 3x3 blocks, where the one in the middle is known, of a row of whole strides.
+void smoothRow(const int* above, const int* row, const int* below, int cols, std::vector<int>& columns, Normal* to)
 {
-    sums.assign(cols + 2, 0); // of columns, between empty ones
-    for (int x = 0; x < cols; x++)
-        sums[x + 1] = above[x] + row[x] + below[x];
-    for (int x = 0; x < cols; x++)
+    columns.resize(cols + 2); // sums of three, between empty ones
+    int* sums = columns.data();
+    sums[0] = sums[cols + 1] = 0;
+    for (int x = 0; x < cols; x += 4)
+        v_store(sums + x + 1, add(add(v_load(above + x), v_load(row + x)), v_load(below + x)));
+    for (int x = 0; x < cols; x += 4)
     {
-        const int known = -int(row[x] != 0); // all bits
-        to[x] = NormalSum::mean((sums[x] + sums[x + 1] + sums[x + 2]) & known);
+        const v_int32x4 sum = add(add(v_load(sums + x), v_load(sums + x + 1)), v_load(sums + x + 2));
+        const v_int32x4 known = v_shr<31>(subtract(v_setzero_s32(), v_load(row + x))); // all bits
+        NormalSum::mean(bitAnd(sum, known), to + x);
     }
 }
 
@@ -325,7 +346,7 @@ LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_dept
             for (int i = 0; i < std::min(2, depth.rows - 2 * y); i++)
             {
                 uchar* levels = nearness.ptr(2 * y + i);
-                readDepths(depth.row(2 * y + i), pair[i].data());
+                readRow(depth.row(2 * y + i), pair[i].data());
                 scaleRow(pair[i].data(), depth.cols, scale, levels);
                 ranges[y].add(levels, depth.cols);
             }
@@ -353,12 +374,12 @@ bool findNormals(const Camera& camera, const Mat& inverses, Size blocks, Mat& ra
     });
     if (countNonZero(raw_normals) == 0)
         return false;
-    normals.create(blocks, CV_8UC2);
+    normals.create(blocks.height, raw_normals.cols, CV_8UC2);
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         std::vector<int> sums;
         for (int y = rows.start; y < rows.end; y++)
-            smoothRow(raw_normals.ptr<int>(y), raw_normals.ptr<int>(y + 1), raw_normals.ptr<int>(y + 2), blocks.width,
+            smoothRow(raw_normals.ptr<int>(y), raw_normals.ptr<int>(y + 1), raw_normals.ptr<int>(y + 2), normals.cols,
                       sums, normals.ptr<Normal>(y));
     });
     return true;

@@ -173,35 +173,52 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
     }
 }
 
-//! Adds up the normals of each column. Behind the last one is an empty one.
-static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& words)
+enum { NORMALS_AT_ONCE = 4 };
+
+//! Adds up the normals of each column.
+static void addColumns(const Mat& normals, const Range& rows, int* sums)
 {
-    words.assign(normals.cols + 1, 0);
-    int* sums = words.data();
-    for (int y = rows.start; y < rows.end; y++)
+    for (int x = 0; x < normals.cols; x += NORMALS_AT_ONCE)
     {
-        const Normal* row = normals.ptr<Normal>(y);
-        for (int x = 0; x < normals.cols; x++)
-            sums[x] += NormalSum::of(row[x]);
+        v_int32x4 sum = v_setzero_s32();
+        for (int y = rows.start; y < rows.end; y++)
+            sum = add(sum, NormalSum::of(normals.ptr<Normal>(y) + x));
+        v_store(sums + x, sum);
+    }
+}
+
+//! Adds up pairs of columns, those that blocks of a side touch.
+static void addPairs(const int* columns, int side, int count, int* sums)
+{
+    if (side != 4)
+    {
+        for (int x = 0; x < count; x++)
+            sums[x] = columns[x * side / 2] + columns[x * side / 2 + 1];
+        return;
+    }
+    for (int x = 0; x < count; x += NORMALS_AT_ONCE)
+    {
+        v_int32x4 first, second;
+        v_load_deinterleave(columns + 2 * x, first, second);
+        v_store(sums + x, add(first, second));
     }
 }
 
 //! Normals of blocks of 3x3 or 4x4 pixels, from those of blocks of 2x2: means of what is known of those they touch,
-//! which are two in each row and column.
+//! which are two in each row and column. Rows of both end with some that are not known, up to a whole stride.
 static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
 {
-    united.create(size, CV_8UC2);
+    united.create(size.height, int(alignSize(size.width, NORMALS_AT_ONCE)), CV_8UC2);
     parallel_for_(Range(0, size.height), [&](const Range& rows)
     {
-        std::vector<int> words, sums(size.width);
+        std::vector<int> columns(normals.cols + 1), sums(united.cols);
         for (int y = rows.start; y < rows.end; y++)
         {
-            addColumns(normals, Range(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows)), words);
-            for (int x = 0; x < size.width; x++)
-                sums[x] = words[x * side / 2] + words[x * side / 2 + 1];
-            Normal* to = united.ptr<Normal>(y);
-            for (int x = 0; x < size.width; x++)
-                to[x] = NormalSum::mean(sums[x]);
+            const Range own(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows));
+            addColumns(normals, own, columns.data());
+            addPairs(columns.data(), side, size.width, sums.data());
+            for (int x = 0; x < size.width; x += NORMALS_AT_ONCE)
+                NormalSum::mean(v_load(&sums[x]), united.ptr<Normal>(y) + x);
         }
     });
 }

@@ -120,7 +120,7 @@ public:
     void run(const Point* first_seed, const Point* end_seed)
     {
         for (const Point* seed = first_seed; seed != end_seed; seed++)
-            spread(labels_.index(*seed));
+            spread(labels_.index(*seed), *seed);
         while (queues_.take(batch_))
             for (size_t i = 0; i < batch_.size(); i++)
             {
@@ -129,11 +129,12 @@ public:
                 if (waiting == CLOSED)
                     continue; // it was taken out at a lower priority before
                 waiting = CLOSED;
+                const Point p = labels_.point(block);
                 if (WITH_DEPTH)
-                    regions_[labels_.data()[block]].add(features_[block], labels_.point(block));
+                    regions_[labels_.data()[block]].add(features_[block], p);
                 else
                     regions_[labels_.data()[block]].add(features_[block]);
-                spread(block);
+                spread(block, p);
             }
     }
 
@@ -155,16 +156,15 @@ private:
         return std::min(std::max(region.sum.area - usual_area_, 0), MOST / LEVELS_PER_BLOCK) * LEVELS_PER_BLOCK;
     }
 
-    //! Offers the neighbours of a block to its region, where none offers as much.
-    void spread(int block)
+    //! Offers the neighbours of a block at p to its region, where none offers as much.
+    void spread(int block, Point p)
     {
         const int label = labels_.data()[block];
         const FloodRegion& region = regions_[label];
         short* waiting = &waiting_[block - first_];
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
         const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
-                                                                  bitsOf(block + 1), bitsOf(block + step_)), region,
-                                                       labels_.point(block),
+                                                                  bitsOf(block + 1), bitsOf(block + step_)), region, p,
                                                        excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
