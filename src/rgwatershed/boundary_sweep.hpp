@@ -53,8 +53,7 @@ private:
 
     struct Move
     {
-        Point place;
-        int from, to;
+        int index, from, to;
     };
 
     //! Moves in some rows, and the regions that lost or gained by them.
