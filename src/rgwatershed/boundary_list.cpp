@@ -61,22 +61,22 @@ template <typename Find> void BoundaryList::addRow(int cols, int first, int step
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)
 {
     const int width = labels.size().width;
-    std::vector<int> found(width);
     for (int y = rows.start; y < rows.end; y++)
     {
         const int* row = labels.row(y);
-        findMasksOfRow(row, labels.step(), width, found.data());
+        uchar* found = masks.row(y);
+        findMasksOfRow(row, labels.step(), width, found);
         for (int x = 0; x < width; x++)
-            masks.row(y)[x] = uchar(found[x] | (row[x] < 0 ? int(INTERIOR) : 0));
+            found[x] |= uchar(row[x] < 0 ? int(INTERIOR) : 0);
     }
 }
 
 //! The masks in row i of a row of whole blocks. Behind the line is room for four more.
-static void fillLine(const std::vector<int>& masks_of_blocks, int side, int i, uchar* line)
+static void fillLine(const std::vector<uchar>& masks_of_blocks, int side, int i, uchar* line)
 {
     const MaskTable::BlockRow* const rows_of_blocks = maskTable().rowsOfBlocks(side, i);
     const int width = int(masks_of_blocks.size());
-    const int* const of_blocks = masks_of_blocks.data();
+    const uchar* const of_blocks = masks_of_blocks.data();
     for (int x = 0; x < width; x++, line += side) // of each 4 bytes the next ones overwrite those beyond the block
         memcpy(line, rows_of_blocks + of_blocks[x], sizeof(MaskTable::BlockRow));
 }
@@ -91,7 +91,7 @@ void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const R
     const uchar RIGHT = 0x1C, BELOW = 0x70;
     const BlockAxis& columns = grid.columns;
     const int side = grid.side, width = columns.count, next = columns.short_block + 1, end = columns.start(next);
-    std::vector<int> masks_of_blocks(width);
+    std::vector<uchar> masks_of_blocks(width);
     std::vector<uchar> line(side * width + 4), last_line(side * width + 4);
     for (int y = rows.start, known = -1; y < rows.end; y++)
     {

@@ -61,7 +61,8 @@ public:
     Wave(const RegionChoice& choice, const SweepRules& rules, const Regions& regions, Padded<int>& labels,
          BoundarySweeper& sweeper, Moves& moves)
         : table_(maskTable()), choice_(choice), rules_(rules), all_permitted_(rules.markers.empty() && !rules.guard),
-          sums_(regions.sums.data()), labels_(labels), sweeper_(sweeper), moves_(moves)
+          sums_(regions.sums.data()), labels_(labels), sweeper_(sweeper), moves_(moves),
+          marks_step_(sweeper.marks_.step())
     {
     }
 
@@ -84,6 +85,7 @@ private:
     {
         const BoundaryList::Part part = sweeper_.listOf(row / BAND_HEIGHT).part(c, row);
         const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
+        uchar* const marks = sweeper_.marks_.row(row);
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
@@ -94,7 +96,7 @@ private:
                 const Point p(gains[i].pixel - left, y);
                 if (sums_[gains[i].region].area <= rules_.most_area &&
                     (all_permitted_ || permits(p, gains[i].region)))
-                    move(c, p, gains[i]);
+                    move(c, marks + p.x / 2, gains[i]);
             }
         }
     }
@@ -105,17 +107,18 @@ private:
                (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
-    void move(int c, Point p, const RegionChoice::Gain& to)
+    //! mark is that of the quad of the pixel.
+    void move(int c, uchar* mark, const RegionChoice::Gain& to)
     {
-        int& label = labels_.row(p.y)[p.x];
+        int& label = labels_.data()[to.pixel];
         if (!rules_.last)
         {
-            const Move made = { labels_.index(p), label, to.region };
+            const Move made = { to.pixel, label, to.region };
             moves_.add(made);
-            markAround(c, p);
+            markAround(c, mark);
         }
         label = to.region;
-        changeMasks(sweeper_.masks_.row(p.y) + p.x, to.mask);
+        changeMasks(sweeper_.masks_.data() + to.pixel, to.mask);
     }
 
     //! @note Loads of words come before stores of bytes, because a load of what was just stored in parts is slow.
@@ -135,14 +138,11 @@ private:
     }
 
     //! Marks the pixel of a move and its 4-neighbours. Two of these lie in its quad, the others beside that.
-    void markAround(int c, Point p)
+    void markAround(int c, uchar* mark)
     {
-        const int side = c & 1 ? 1 : -1;
-        uchar* near_row = sweeper_.marks_.row(p.y / 2) + p.x / 2;
-        uchar* far_row = near_row + (c & 2 ? 1 : -1) * sweeper_.marks_.step();
-        near_row[0] |= uchar(ALL_CLASSES & ~(1 << (3 - c)));
-        near_row[side] |= uchar(1 << (c ^ 1));
-        far_row[0] |= uchar(1 << (c ^ 2));
+        mark[0] |= uchar(ALL_CLASSES & ~(1 << (3 - c)));
+        mark[c & 1 ? 1 : -1] |= uchar(1 << (c ^ 1));
+        mark[c & 2 ? marks_step_ : -marks_step_] |= uchar(1 << (c ^ 2));
     }
 
     const MaskTable& table_;
@@ -153,6 +153,7 @@ private:
     Padded<int>& labels_;
     BoundarySweeper& sweeper_;
     Moves& moves_;
+    const int marks_step_;
 };
 
 void BoundarySweeper::Moves::clear()

@@ -3,37 +3,36 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/neighbor_masks.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// Compilers make vectors of the following two, which is why the first of them is not inlined into loops.
-
-static inline int bitIfSame(int label, int other, int bit)
+//! All bits of the bytes where 16 labels are the same.
+static inline v_uint8x16 isSame(const v_int32x4* labels, const int* others)
 {
-    return -int(label == other) & bit;
+    v_int32x4 same[4];
+    for (int k = 0; k < 4; k++)
+        same[k] = equal(labels[k], v_load(others + 4 * k));
+    return v_reinterpret_as_u8(v_pack(v_pack(same[0], same[1]), v_pack(same[2], same[3])));
 }
 
-int neighborMask(const int* pixel, int step, int label)
+void findMasksOfRow(const int* row, int step, int n, uchar* masks)
 {
-    // Four columns at once. The one too many is to the left below, and to the right else: there are always labels.
-    // (To the left in the middle, a label may have been written just before, which makes loads slow.)
-    const int UPPER[4] = { 1, 2, 4, 0 }, MIDDLE[4] = { 128, 0, 8, 0 }, LOWER[4] = { 0, 64, 32, 16 };
-    const int *upper = pixel - step - 1, *middle = pixel - 1, *lower = pixel + step - 2;
-    int mask = 0;
-    for (int i = 0; i < 4; i++)
-        mask |= bitIfSame(upper[i], label, UPPER[i]) | bitIfSame(middle[i], label, MIDDLE[i]) |
-                bitIfSame(lower[i], label, LOWER[i]);
-    return mask;
-}
-
-void findMasksOfRow(const int* row, int step, int n, int* masks)
-{
-    const int *upper = row - step, *lower = row + step;
-    for (int x = 0; x < n; x++)
-        masks[x] = bitIfSame(upper[x - 1], row[x], 1) | bitIfSame(upper[x], row[x], 2) |
-                   bitIfSame(upper[x + 1], row[x], 4) | bitIfSame(row[x + 1], row[x], 8) |
-                   bitIfSame(lower[x + 1], row[x], 16) | bitIfSame(lower[x], row[x], 32) |
-                   bitIfSame(lower[x - 1], row[x], 64) | bitIfSame(row[x - 1], row[x], 128);
+    const int AT_ONCE = 16, offsets[8] = { -step - 1, -step, -step + 1, 1, step + 1, step, step - 1, -1 };
+    int x = 0;
+    for (; x + AT_ONCE <= n; x += AT_ONCE)
+    {
+        v_int32x4 labels[4];
+        for (int k = 0; k < 4; k++)
+            labels[k] = v_load(row + x + 4 * k);
+        v_uint8x16 found = v_setzero_u8();
+        for (int k = 0; k < 8; k++)
+            found = v_add_wrap(found, bitAnd(isSame(labels, row + x + offsets[k]), v_setall_u8(uchar(1 << k))));
+        v_store(masks + x, found);
+    }
+    const MaskTable& table = maskTable();
+    for (; x < n; x++)
+        masks[x] = uchar(table.neighborMask(row + x, step, row[x]));
 }
 
 static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
@@ -53,8 +52,12 @@ static uchar findMaskInBlock(int side, int block_mask, int x, int y)
     return uchar(mask);
 }
 
-MaskTable::MaskTable() : in_block_(), changes_()
+MaskTable::MaskTable() : of_windows_(), in_block_(), changes_()
 {
+    const int BITS[12] = { 1, 2, 4, 0, 128, 0, 8, 0, 0, 64, 32, 16 };
+    for (int window = 0; window < 4096; window++)
+        for (int i = 0; i < 12; i++)
+            of_windows_[window] |= uchar((window >> i) & 1 ? BITS[i] : 0);
     for (int mask = 0; mask < 256; mask++)
     {
         int agreement = 0, four = 0, pieces = 0;

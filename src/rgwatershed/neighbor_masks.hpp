@@ -5,16 +5,12 @@
 #ifndef OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
 #define OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
 
-#include "precomp.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
-//! its 4-neighbours. A mask tells which of them have a label.
-int neighborMask(const int* pixel, int step, int label);
-
-//! The masks of a row of pixels with their own labels.
-void findMasksOfRow(const int* row, int step, int n, int* masks);
+// The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
+// its 4-neighbours. A mask tells which of them have a label.
 
 //! What a pixel must know of the mask of its neighbours with one label.
 class MaskTable
@@ -23,6 +19,17 @@ public:
     enum { FOUR_NEIGHBORS = 0xAA, ALL_AGREE = 12 };
 
     MaskTable();
+
+    //! The neighbours of a pixel that have a label.
+    int neighborMask(const int* pixel, int step, int label) const
+    {
+        // Four columns at once. The one too many is to the left below, and to the right else: there are always labels.
+        // (To the left in the middle, a label may have been written just before, which makes loads slow.)
+        const v_int32x4 labels = v_setall_s32(label);
+        const v_int32x4 upper = equal(v_load(pixel - step - 1), labels), middle = equal(v_load(pixel - 1), labels);
+        const v_int32x4 lower = equal(v_load(pixel + step - 2), labels);
+        return of_windows_[v_signmask(v_pack(v_pack(upper, middle), v_pack(lower, lower))) & 4095];
+    }
 
     //! Whether a region that has the neighbours in the mask stays one piece if it loses the pixel in the middle, which
     //! is at its boundary: the 4-neighbours are connected within the window, and there is one.
@@ -53,12 +60,16 @@ public:
     const uchar* changes(int mask, int row) const { return changes_[mask][row]; }
 
 private:
+    uchar of_windows_[4096]; // by the upper, the middle and the lower four labels that are the same
     uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256];
     BlockRow in_block_[2][3][256];
     uchar changes_[256][3][4];
 };
 
 const MaskTable& maskTable();
+
+//! The masks of a row of pixels with their own labels.
+void findMasksOfRow(const int* row, int step, int n, uchar* masks);
 
 }}} // namespace
 

@@ -125,13 +125,46 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
 void RegionChoice::compare(int pixel, int square, Choice& choice) const
 {
     const int* label = labels_ + pixel;
-    const int region = label[first_offsets_[choice.seen]], mask = neighborMask(label, step_, region);
+    const int region = label[first_offsets_[choice.seen]], mask = table_.neighborMask(label, step_, region);
     const int energy = square - savings_[mask];
     const int better = -int((energy < choice.energy) & (region >= 0)); // all bits
     choice.region ^= (choice.region ^ region) & better;
     choice.mask ^= (choice.mask ^ mask) & better;
     choice.energy ^= (choice.energy ^ energy) & better;
     choice.seen |= mask;
+}
+
+//! The region of the first neighbour of each pixel.
+void RegionChoice::compareFirst(const OpenPixels& open, Choices& choices) const
+{
+    choices.num_unfinished = 0;
+    for (int i = 0; i < open.count; i++)
+    {
+        const int pixel = open.indices[i], mask = masks_[pixel];
+        Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
+        compare(pixel, open.first[i], choice);
+        choices.of[i] = choice;
+        choices.unfinished[choices.num_unfinished] = i;
+        choices.num_unfinished += !choice.seesAll();
+    }
+}
+
+//! The regions of the others, which few pixels have.
+void RegionChoice::compareOthers(const OpenPixels& open, int y, Choices& choices) const
+{
+    for (int i = 0; i < choices.num_unfinished; i++)
+    {
+        const int k = choices.unfinished[i], pixel = open.indices[k], *label = labels_ + pixel;
+        const int last = label[last_offsets_[masks_[pixel]]];
+        Choice& choice = choices.of[k];
+        do
+        {
+            const int region = label[first_offsets_[choice.seen]];
+            const int square = region == last ? open.last[k] : squaredDistance(pixel, y, std::max(region, 0));
+            compare(pixel, square, choice);
+        }
+        while (!choice.seesAll());
+    }
 }
 
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
@@ -146,36 +179,13 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
     else
         findOpen<COLOR>(pixels, n, y, open);
 
-    Choice choices[BATCH];
-    int unfinished[BATCH] = {}, num_unfinished = 0;
-    for (int i = 0; i < open.count; i++)
-    {
-        const int pixel = open.indices[i], mask = masks_[pixel];
-        Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
-        compare(pixel, open.first[i], choice);
-        choices[i] = choice;
-        unfinished[num_unfinished] = i;
-        num_unfinished += (~choice.seen & MaskTable::FOUR_NEIGHBORS) != 0;
-    }
-    for (int i = 0; i < num_unfinished; i++)
-    {
-        Choice& choice = choices[unfinished[i]];
-        const int pixel = open.indices[unfinished[i]], *label = labels_ + pixel;
-        const int last = label[last_offsets_[masks_[pixel]]];
-        do
-        {
-            const int region = label[first_offsets_[choice.seen]];
-            const int square = region == last ? open.last[unfinished[i]]
-                                              : squaredDistance(pixel, y, std::max(region, 0));
-            compare(pixel, square, choice);
-        }
-        while (~choice.seen & MaskTable::FOUR_NEIGHBORS);
-    }
-
+    Choices choices;
+    compareFirst(open, choices);
+    compareOthers(open, y, choices);
     int count = 0;
     for (int i = 0; i < open.count; i++)
     {
-        const Gain gain = { open.indices[i], choices[i].region, choices[i].mask };
+        const Gain gain = { open.indices[i], choices.of[i].region, choices.of[i].mask };
         gains[count] = gain;
         count += gain.region != labels_[gain.pixel];
     }

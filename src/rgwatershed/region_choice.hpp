@@ -48,6 +48,16 @@ private:
     struct Choice
     {
         int region, mask, energy, seen; // seen: neighbours in regions that were looked at
+
+        bool seesAll() const { return (~seen & MaskTable::FOUR_NEIGHBORS) == 0; }
+    };
+
+    //! Those of the open pixels, and which of them have more regions beside them than were looked at.
+    struct Choices
+    {
+        int num_unfinished;
+        int unfinished[BATCH];
+        Choice of[BATCH];
     };
 
     //! What distances are made of: colour, and the depth of the region, its plane, or its plane and its normal.
@@ -60,6 +70,9 @@ private:
     int neighborOf(int pixel, const int* offsets) const;
 
     int squaredDistance(int pixel, int y, int region) const;
+
+    void compareFirst(const OpenPixels& open, Choices& choices) const;
+    void compareOthers(const OpenPixels& open, int y, Choices& choices) const;
 
     //! Takes the region of the first 4-neighbour that was not seen, if it is better.
     void compare(int pixel, int square, Choice& choice) const;

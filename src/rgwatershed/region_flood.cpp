@@ -53,10 +53,9 @@ public:
             const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
             away = add(away, bitAnd(subtract(with_depth, away), has_depth));
         }
-        const short dx = short(std::max(std::min(offset.x, int(FARTHEST)), -FARTHEST));
-        const short dy = short(std::max(std::min(offset.y, int(FARTHEST)), -FARTHEST));
-        const v_int16x8 v = difference(setPair(dx, dy), v_int16x8(-2, 0, 0, -2, 2, 0, 0, 2));
-        const v_int16x8 swapped = difference(setPair(dy, dx), v_int16x8(0, -2, -2, 0, 0, 2, 2, 0));
+        const v_int32x4 offsets(offset.x, offset.y, offset.x, offset.y), turned(offset.y, offset.x, offset.y, offset.x);
+        const v_int16x8 v = difference(limit(offsets), v_int16x8(-2, 0, 0, -2, 2, 0, 0, 2));
+        const v_int16x8 swapped = difference(limit(turned), v_int16x8(0, -2, -2, 0, 0, 2, 2, 0));
         away = v_dotprod(v, both_, v_dotprod(v_max(v, swapped), longer_, away));
         const v_int32x4 priorities = v_shr<10>(away);
         return v_pack(priorities, priorities);
@@ -70,6 +69,12 @@ private:
     static v_int16x8 setPair(short a, short b)
     {
         return v_reinterpret_as_s16(v_setall_u32(ushort(a) | unsigned(ushort(b)) << 16));
+    }
+
+    //! As pairs of 16 bits.
+    static v_int16x8 limit(const v_int32x4& offsets)
+    {
+        return v_min(v_max(v_pack(offsets, offsets), v_setall_s16(-FARTHEST)), v_setall_s16(FARTHEST));
     }
 
     //! The means of the odd channels for the four neighbours, whose depths lie on the plane of the region.
@@ -98,7 +103,7 @@ public:
     RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
                 const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
-          priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()),
+          priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()), offsets_(labels.neighbors()),
           first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch),
           waiting_(band.waiting)
     {
@@ -168,16 +173,15 @@ private:
                                                        excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
-        const int offsets[4] = { -1, -step_, 1, step_ };
         short priorities[8];
         v_store(priorities, offered);
         for (unsigned lower = v_signmask(v_sub_wrap(offered, before)) & 15; lower; lower &= lower - 1)
         {
-            const int k = int(trailingZeros32(lower)), to = block + offsets[k];
+            const int k = int(trailingZeros32(lower)), to = block + offsets_[k];
             if (labels_.data()[to] == label)
                 continue; // it waits for this region already, whose mean was another one
             labels_.data()[to] = label;
-            waiting[offsets[k]] = priorities[k];
+            waiting[offsets_[k]] = priorities[k];
             queues_.push(to, priorities[k]);
         }
     }
@@ -186,7 +190,9 @@ private:
     FloodRegion* regions_;
     Padded<int>& labels_;
     const NeighborPriorities<WITH_DEPTH> priorities_of_;
-    const int usual_area_, step_, first_;
+    const int usual_area_, step_;
+    const Vec4i offsets_; // of the neighbours
+    const int first_;
     BucketQueue<int, FloodBuffers::PRIORITIES>& queues_;
     std::vector<int>& batch_;
     std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows

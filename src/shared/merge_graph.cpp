@@ -140,15 +140,13 @@ void MergeGraph::findSegments(EdgeRows& rows) const
 {
     const EdgeList& list = rows.edges;
     rows.segments.clear();
-    for (size_t i = 0; i < list.count; i++)
+    for (size_t i = 0; i < list.count;)
     {
-        const int of = listOf(list.edges[i].a, list.edges[i].b);
-        if (rows.segments.empty() || rows.segments.back().list != of)
-        {
-            const EdgeRows::Segment segment = { of, i, i };
-            rows.segments.push_back(segment);
-        }
-        rows.segments.back().last = i + 1;
+        EdgeRows::Segment segment = { listOf(list.edges[i].a, list.edges[i].b), i, i };
+        while (i < list.count && listOf(list.edges[i].a, list.edges[i].b) == segment.list)
+            i++;
+        segment.last = i;
+        rows.segments.push_back(segment);
     }
 }
 
@@ -173,42 +171,41 @@ void MergeGraph::relabel(int k, const int* parents, const uchar* changed)
 {
     EdgeList &known = known_[k], &fresh = fresh_[k];
     fresh.reserve(known.count + 1);
-    MergeEdge *edges = known.edges.data(), *fresh_edges = fresh.edges.data();
-    const size_t count = known.count;
-    size_t num_known = 0, num_fresh = 0;
-    for (size_t i = 0; i < count; i++)
+    MergeEdge *known_end = known.edges.data(), *fresh_end = fresh.edges.data();
+    const MergeEdge* const end = known_end + known.count;
+    for (const MergeEdge* edge = known_end; edge != end; edge++)
     {
-        const int a = parents[edges[i].a], b = parents[edges[i].b];
-        MergeEdge edge = edges[i];
-        edge.a = lowerOf(a, b);
-        edge.b = a ^ b ^ edge.a;
+        const int a = parents[edge->a], b = parents[edge->b], lower = lowerOf(a, b);
         const size_t exists = a != b, is_fresh = changed[a] | changed[b];
-        edges[num_known] = fresh_edges[num_fresh] = edge;
-        num_known += exists & (is_fresh ^ 1);
-        num_fresh += exists & is_fresh;
+        *fresh_end = *edge;
+        *known_end = *edge;
+        fresh_end->a = known_end->a = lower;
+        fresh_end->b = known_end->b = a ^ b ^ lower;
+        known_end += exists & (is_fresh ^ 1);
+        fresh_end += exists & is_fresh;
     }
-    known.count = num_known;
-    fresh.count = num_fresh;
+    known.count = size_t(known_end - known.edges.data());
+    fresh.count = size_t(fresh_end - fresh.edges.data());
     findLeaving(k);
 }
 
-//! What belongs to another list now is fresh: one of its regions was taken in.
+//! What belongs to another list now is fresh: one of its regions was taken in. The last edge takes its place.
 void MergeGraph::findLeaving(int k)
 {
     if (numBands() == 1)
         return;
     EdgeList &fresh = fresh_[k], &leaving = leaving_[k];
-    size_t count = 0;
-    for (size_t i = 0; i < fresh.count; i++)
+    size_t i = 0;
+    while (i < fresh.count)
     {
-        if (listOf(fresh.edges[i].a, fresh.edges[i].b) != k)
-            leaving.append(fresh, i, i + 1);
-        else if (leaving.count > 0)
-            fresh.edges[count++] = fresh.edges[i];
-        else
-            count++;
+        if (listOf(fresh.edges[i].a, fresh.edges[i].b) == k)
+        {
+            i++;
+            continue;
+        }
+        leaving.append(fresh, i, i + 1);
+        fresh.edges[i] = fresh.edges[--fresh.count];
     }
-    fresh.count = count;
 }
 
 //! Edges of regions that were united across the limit of a band.
@@ -223,39 +220,34 @@ void MergeGraph::handOver()
     }
 }
 
-enum { NONE = -1 }; // in a table of edges
+enum { FREE = INT_MAX }; // in a table of edges
 
-//! Whether there is an edge in a slot, but between other regions. Mostly not; whether there is one at all cannot be
-//! foreseen, so it is no branch.
-static inline bool isAnother(const MergeEdge* edges, int found, const MergeEdge& edge)
+static inline bool isBetween(const MergeEdge& edge, int a, int b)
 {
-    const MergeEdge& other = edges[found & ~(found >> 31)];
-    return ((other.a ^ edge.a) | (other.b ^ edge.b)) & ~(found >> 31);
+    return ((edge.a ^ a) | (edge.b ^ b)) == 0;
 }
 
 //! Makes one edge of those between the same regions. Returns how many there are then. The table, of so many bits, has
-//! the index of each edge, in the first free slot; most slots stay free. An edge is written in any case, and the next
-//! one over it if it was there before.
+//! the index of each edge, in the first free slot; most slots stay free. Behind the edges one is ready that the pair of
+//! regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that one, and there is no
+//! branch.
 static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* table, MergeEdge* edges)
 {
     const unsigned last_slot = (1u << bits) - 1;
     int count = 0;
     for (const MergeEdge* end = from + num_edges; from != end; from++)
     {
-        unsigned slot = (unsigned(from->a) * 0x9E3779B1u ^ unsigned(from->b) * 0x85EBCA77u) >> (32 - bits);
-        int found = table[slot];
-        while (isAnother(edges, found, *from))
-        {
+        const int a = from->a, b = from->b;
+        const MergeEdge ready = { a, b, 0, 0, 0 };
+        edges[count] = ready;
+        unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
+        while (!isBetween(edges[std::min(table[slot], count)], a, b)) // seldom
             slot = (slot + 1) & last_slot;
-            found = table[slot];
-        }
-        const int is_new = -int(found == NONE), to = found ^ ((found ^ count) & is_new);
-        const MergeEdge empty = { from->a, from->b, 0, 0, 0 };
-        edges[count] = empty;
+        const int to = std::min(table[slot], count);
         edges[to].length += from->length;
         edges[to].contrast += from->contrast;
         table[slot] = to;
-        count -= is_new;
+        count += to == count;
     }
     return size_t(count);
 }
@@ -267,7 +259,7 @@ size_t MergeGraph::join(int k, std::vector<int>& table)
     int bits = 4;
     while ((size_t(1) << bits) < 3 * fresh.count)
         bits++;
-    table.assign(size_t(1) << bits, NONE);
+    table.assign(size_t(1) << bits, FREE);
     known.reserve(first + fresh.count);
     known.count += joinEdges(fresh.edges.data(), fresh.count, bits, table.data(), known.edges.data() + first);
     fresh.count = 0;

@@ -204,19 +204,22 @@ void SimilarMerger::findPairs(int band)
     std::vector<int>& active = b_.bands[band].active;
     std::vector<MergePair>& pairs = b_.bands[band].pairs;
     pairs.resize(active.size());
+    const uint64* const best = b_.best.data();
+    const int* const parents = b_.parents.data();
+    uchar* const changed = b_.changed.data();
     size_t num_active = 0, num_pairs = 0;
     for (size_t i = 0; i < active.size(); i++)
     {
         const int region = active[i];
-        const uint64 price = b_.best[region];
-        if (b_.parents[region] != region || price == NO_PRICE)
+        const uint64 price = best[region];
+        if (parents[region] != region || price == NO_PRICE)
             continue;
         active[num_active++] = region;
-        b_.changed[region] = 0;
+        changed[region] = 0;
         const int neighbor = neighborOf(region, price);
         const MergePair pair(price, neighbor, region);
         pairs[num_pairs] = pair;
-        num_pairs += (region < neighbor) & (b_.best[neighbor] == price);
+        num_pairs += (region < neighbor) & (best[neighbor] == price);
     }
     active.resize(num_active);
     pairs.resize(num_pairs);
