@@ -62,12 +62,14 @@ FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
 //! One depth of each step pixels that follow one another.
 std::vector<float> sampleDepths(const Mat& depth, int64 step)
 {
-    const size_t size = depth.elemSize();
-    std::vector<uchar> bytes;
+    const size_t size = depth.elemSize(), total = depth.total();
+    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
+    uchar* to = bytes.data();
     visitSample(depth.size(), step, [&](int y, int x)
     {
         const uchar* from = depth.ptr(y) + size * x;
-        bytes.insert(bytes.end(), from, from + size);
+        for (size_t i = 0; i < size; i++)
+            *to++ = from[i];
     });
     std::vector<float> depths(bytes.size() / size);
     readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());

@@ -239,10 +239,12 @@ static void addSurfaces(const FeatureMap& features, const Padded<int>& labels, c
 {
     for (int y = rows.start; y < rows.end; y++)
     {
-        const int* row = labels.row(y);
-        for (int x = 0; x < labels.size().width; x++)
+        const int *row = labels.row(y), width = labels.size().width, shift = features.normal_shift;
+        const Feature* elements = features.row(y);
+        const Normal* normals = features.normalsOfRow(y);
+        for (int x = 0; x < width; x++)
             if (row[x] >= 0)
-                sums[row[x]].add(features.row(y)[x], features.normalAt(Point(x, y)), Point(x, y));
+                sums[row[x]].add(elements[x], normals[x >> shift], Point(x, y));
     }
 }
 

@@ -54,22 +54,23 @@ static v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
 SurfaceSolver::SurfaceSolver(const Camera& camera)
     : horizon_(cvRound(STEPS_PER_LEVEL * camera.horizon)),
       axis_x_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.x)),
-      axis_y_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.y)), focal_(camera.focal)
+      axis_y_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.y)),
+      per_focal_(1 / camera.focal.x, 1 / camera.focal.y)
 {
 }
 
 //! Where the rays of places go, for a step forward of RAY.
-v_int32x4 SurfaceSolver::raysOf(const v_int32x4& centers, int axis, float focal) const
+static v_int32x4 raysOf(const v_int32x4& centers, int axis, float per_focal)
 {
-    const v_float32x4 widest = v_setall_f32(2 * RAY), unit = v_setall_f32(float(RAY) / SurfaceMean::CENTER_UNIT);
-    const v_float32x4 away = divide(v_cvt_f32(subtract(centers, v_setall_s32(axis))), v_setall_f32(focal));
-    return v_trunc(v_max(v_min(multiply(away, unit), widest), v_setall_f32(-2 * RAY)));
+    const v_float32x4 widest = v_setall_f32(2 * RAY), scale = v_setall_f32(per_focal * RAY / SurfaceMean::CENTER_UNIT);
+    const v_float32x4 rays = multiply(v_cvt_f32(subtract(centers, v_setall_s32(axis))), scale);
+    return v_trunc(v_max(v_min(rays, widest), v_setall_f32(-2 * RAY)));
 }
 
-static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, float focal)
+static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, float per_focal)
 {
     const v_float32x4 steepest = v_setall_f32(1 << 14);
-    const v_float32x4 slopes = divide(multiply(v_cvt_f32(normals), scales), v_setall_f32(focal));
+    const v_float32x4 slopes = multiply(multiply(v_cvt_f32(normals), scales), v_setall_f32(per_focal));
     return v_trunc(v_max(v_min(slopes, steepest), v_setall_f32(-(1 << 14))));
 }
 
@@ -103,13 +104,13 @@ void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
     const v_int16x8 across = makePairs(nx, ny);
     const v_float32x4 forward = v_cvt_f32(subtract(v_setall_s32(ONE * ONE), v_dotprod(across, across)));
     const v_int32x4 nz = v_trunc(v_sqrt(v_max(forward, v_setzero_f32())));
-    const v_int16x8 rays = makePairs(raysOf(center_x, axis_x_, focal_.x), raysOf(center_y, axis_y_, focal_.y));
+    const v_int16x8 rays = makePairs(raysOf(center_x, axis_x_, per_focal_.x), raysOf(center_y, axis_y_, per_focal_.y));
     const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<12>(nz)));
     const float LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
     const v_float32x4 above_horizon = v_cvt_f32(subtract(depths, v_setall_s32(horizon_)));
     const v_float32x4 scales = multiply(divide(above_horizon, v_max(facing, v_setall_f32(LEAST_FACING))),
                                         v_setall_f32(SurfaceMean::PLANE_UNIT * RAY));
-    const v_int32x4 slope_x = slopesOf(nx, scales, focal_.x), slope_y = slopesOf(ny, scales, focal_.y);
+    const v_int32x4 slope_x = slopesOf(nx, scales, per_focal_.x), slope_y = slopesOf(ny, scales, per_focal_.y);
 
     int words[4][4]; // normals, slopes and centres of each
     v_int32x4 rows[4];

@@ -36,13 +36,6 @@ struct SurfaceMean
     //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
     int depthAt(int at_x, int at_y) const { return limit((base + slope_x * at_x + slope_y * at_y) >> 6); }
 
-    //! The same at the centre of another region.
-    int depthAtCenter(Point other) const
-    {
-        const int64 rise = int64(slope_x) * other.x + int64(slope_y) * other.y;
-        return limit((base + int(rise / CENTER_UNIT)) >> 6);
-    }
-
     static int limit(int depth) { return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL); }
 };
 
@@ -96,11 +89,9 @@ public:
     void solve(const Source* sources, SurfaceMean* means) const;
 
 private:
-    v_int32x4 raysOf(const v_int32x4& centers, int axis, float focal) const;
-
     const int horizon_;         // in steps
     const int axis_x_, axis_y_; // where the optical axis is, as centres are
-    const Point2f focal_;
+    const Point2f per_focal_;   // one over the focal length
 };
 
 //! The surfaces of regions, if there are normals.
