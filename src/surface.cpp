@@ -16,7 +16,7 @@ const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the rang
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
 const int LEVELS_OF_GAP = 64; //!< between the near end of the range and what is much nearer
-const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
+const double LEVELS = 2500;  //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth, rounded down.
 struct NearnessScale
@@ -32,7 +32,17 @@ struct DepthSpan
     bool nearer; //!< some are much nearer than the range
 };
 
-//! The range of depths without a hundredth at each end, up to infinity if some are that. Values
+//! The near end of a range that leaves out a hundredth of the depths there: moved to leave out a thousandth, because
+//! what is small and near is worth telling apart, but not so far that nearness gets less than 4/5 of its levels.
+float extendNearEnd(FloatRange range, std::vector<float>& depths)
+{
+    const auto thousandth = depths.begin() + ptrdiff_t(depths.size() / 1000);
+    std::nth_element(depths.begin(), thousandth, depths.end());
+    const double inverse_near = 1. / range.first, inverse_far = 1. / range.last;
+    return std::max(*thousandth, float(1 / (inverse_near + (inverse_near - inverse_far) / 4)));
+}
+
+//! The range of depths without outliers at each end, up to infinity if some are that. Values
 //! much nearer than half of all, as a value that means "no depth", do not count. {0, 0} if there are not two depths.
 FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
 {
@@ -56,6 +66,8 @@ FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
     }
     if (has_far)
         range.last = std::numeric_limits<float>::infinity();
+    if (range.first < range.last)
+        range.first = extendNearEnd(range, depths);
     return range.first < range.last || nearer ? range : FloatRange();
 }
 
@@ -320,14 +332,15 @@ void smoothRow(const int* above, const int* row, const int* below, int cols, std
     }
 }
 
-//! From the depth of the near end of the range, and of the far end, which may be infinite.
+//! From the depth of the near end of the range, and of the far end, which may be infinite and becomes the first level.
+//! Levels that are left over tell apart what is nearer than the range.
 NearnessScale scaleOf(float first, float last, int near_level)
 {
     const double inverse_near = 1. / first, inverse_far = 1. / last;
     const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
                                   LEVELS / inverse_near);
-    const double horizon = near_level - slope * inverse_near;
-    const NearnessScale scale = { float(near_level + 0.5 - slope * inverse_near), float(slope), float(horizon) };
+    const double horizon = FARTHEST - slope * inverse_far;
+    const NearnessScale scale = { float(horizon + 0.5), float(slope), float(horizon) };
     return scale;
 }
 
