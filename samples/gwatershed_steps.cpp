@@ -75,7 +75,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::floodFromPoints(blocks, steps.markers, middles, bands, plan.flood_distance,
                          plan.floodRuler(plan.blocks, plan.num_markers),
                          plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers, labels, regions);
-    steps.flooded = labels.view(CV_32SC1).clone();
+    steps.flooded = labels.view().clone();
 
     gws::BoundarySweeper sweeper;
     gws::MergeBuffers merge_buffers;
@@ -84,7 +84,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::MergeRules rules = plan.merge_rules;
     rules.in_cell = grid.parts.area();
     gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
-    steps.merged = labels.view(CV_32SC1).clone();
+    steps.merged = labels.view().clone();
 
     Ptr<SuperpixelGWatershed> all = createSuperpixelGWatershed(image.cols, image.rows, 3, num_superpixels);
     all->iterate(image);

@@ -37,6 +37,14 @@ void Segmentation::start(Size size, const Parameters& parameters_, const Mask& m
     createLabels(size, bounds, labels);
 }
 
+void Segmentation::take(const Mat& labels_inside)
+{
+    if (bounds.size() == labels.size())
+        labels = labels_inside;
+    else
+        labels_inside.copyTo(labels(bounds));
+}
+
 void Segmentation::cut(int num_superpixels)
 {
     Mat whole = labels;

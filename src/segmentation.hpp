@@ -32,6 +32,9 @@ struct Segmentation
     //! Keeps what it will be made with; it is not complete yet. labels become -1 outside of the bounds.
     void start(Size size, const Parameters& parameters, const Mask& mask);
 
+    //! Takes the labels of what is inside of the bounds. If that is the whole image, they stay where they are.
+    void take(const Mat& labels_inside);
+
     //! Takes labels from the hierarchy, which is not empty.
     void cut(int num_superpixels);
 

@@ -114,11 +114,18 @@ void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentat
     now.num_superpixels = frame.num_superpixels;
     const bool temporal = parameters.temporal && frame.markers.empty();
     frame.continues = temporal && now == last;
-    result.number = parameters.algorithm == GWATERSHED
-            ? gwatershed_.run(frame, parameters, labels)
-            : rgwatershed_.run(frame, parameters, num_iterations, merge_buffers_, labels);
+    if (parameters.algorithm == GWATERSHED)
+        result.number = gwatershed_.run(frame, parameters, labels);
+    else
+    {
+        result.number = rgwatershed_.run(frame, parameters, num_iterations, merge_buffers_);
+        result.take(rgwatershed_.labels());
+    }
     if (!frame.mask.empty())
+    {
+        labels = result.labels(result.bounds);
         max(labels, Scalar(-1), labels);
+    }
     if (temporal)
         last_ = now;
 }

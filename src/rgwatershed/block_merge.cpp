@@ -13,7 +13,7 @@ void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const
     CV_TRACE_FUNCTION();
     if (regions.size() <= num_regions)
         return;
-    Mat map = labels.view(CV_32SC1);
+    Mat map = labels.view();
     buffers.graph.build(map, regions.size(), features, distance);
     SimilarMerger merger(distance, rules, buffers, regions);
     merger.run(num_regions);

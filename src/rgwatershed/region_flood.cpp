@@ -314,7 +314,7 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
     if (features.withNormals())
-        measureSurfaces(features, labels.view(CV_32SC1), regions);
+        measureSurfaces(features, labels.view(), regions);
     else
         regions.update();
 }

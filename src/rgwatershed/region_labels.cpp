@@ -45,7 +45,7 @@ void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, Size size, P
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
 {
     labels.create(size, OUTSIDE);
-    Mat map = labels.view(CV_32SC1);
+    Mat map = labels.view();
     map.setTo(Scalar(UNSEEN));
     if (!mask.empty())
         map.setTo(Scalar(OUTSIDE), mask == 0);
@@ -64,13 +64,13 @@ void openUnlabelled(const Mat& mask, Padded<int>& labels)
 
 void closeUnseen(Padded<int>& labels)
 {
-    Mat map = labels.view(CV_32SC1);
+    Mat map = labels.view();
     map.setTo(Scalar(OUTSIDE), map == UNSEEN);
 }
 
 int labelUnseen(int num_regions, Padded<int>& labels)
 {
-    Mat map = labels.view(CV_32SC1), components;
+    Mat map = labels.view(), components;
     const Mat unseen = map == UNSEEN;
     if (countNonZero(unseen) == 0)
         return num_regions;

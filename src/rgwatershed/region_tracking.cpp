@@ -17,10 +17,10 @@ void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Pa
     measureErrors(features, plan.sweep.distance, labels, regions, last_.errors);
 }
 
-void RegionTracker::keep(const Plan& plan, const Padded<int>& labels)
+void RegionTracker::keep(const Plan& plan, const Mat& labels)
 {
     last_.side = plan.levels.side(plan.levels.top);
-    labels.copyTo(CV_32SC1, last_.labels);
+    labels.copyTo(last_.labels);
 }
 
 bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Mat& mask, BoundarySweeper& sweeper,
@@ -31,7 +31,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Ma
         return false;
     std::vector<int64> errors;
     labels.create(last_.labels.size(), OUTSIDE);
-    last_.labels.copyTo(labels.view(CV_32SC1));
+    last_.labels.copyTo(labels.view());
     regions.resize(int(last_.errors.size()));
     measureRegions(features, last_.labels, regions);
     sweeper.sweepAll(features, plan.sweep, labels, regions);
@@ -89,7 +89,7 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
         }
     const int num_kept = int(names_.size());
     regions.resize(num_kept);
-    Mat map = labels.view(CV_32SC1), before, gradient, dissolved;
+    Mat map = labels.view(), before, gradient, dissolved;
     map.copyTo(before);
     renumber(numbers, map);
 
@@ -113,7 +113,7 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
 void RegionTracker::mergeAll(const Plan& plan, const FeatureMap& features, int num_kept, Change& change,
                              Padded<int>& labels, Regions& regions)
 {
-    Mat map = labels.view(CV_32SC1);
+    Mat map = labels.view();
     std::vector<int> areas(regions.size()), numbers;
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;

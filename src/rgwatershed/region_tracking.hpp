@@ -22,7 +22,7 @@ public:
     void start(const Plan& plan, const FeatureMap& features, const Padded<int>& labels, const Regions& regions);
 
     //! Keeps the labels of the blocks for the next frame.
-    void keep(const Plan& plan, const Padded<int>& labels);
+    void keep(const Plan& plan, const Mat& labels);
 
     //! The regions of the last frame, moved to where their things are now. Regions that explain the image much worse
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with

@@ -23,8 +23,7 @@ void RGWatershed::reserve(Size size)
 }
 
 //! The five steps of the class documentation. Steps 2 to 4 work on blocks, of which a video keeps the regions.
-int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers,
-                     Mat& labels)
+int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     if (!frame.mask.empty())
@@ -49,9 +48,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
         mergePixels(frame, plan, merge_buffers);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
-        tracker_.keep(plan, labels_[top]);
-
-    labels_[0].copyTo(CV_32SC1, labels);
+        tracker_.keep(plan, labels_[top].view());
     return regions_.size();
 }
 
@@ -116,9 +113,9 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 {
     CV_TRACE_FUNCTION();
     clearLabels(frame.color.size(), frame.mask, labels_[0]);
-    frame.markers.copyTo(labels_[0].view(CV_32SC1), frame.markers >= 0);
+    frame.markers.copyTo(labels_[0].view(), frame.markers >= 0);
     regions_.resize(frame.num_superpixels);
-    measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
+    measureRegions(features_[0], labels_[0].view(), regions_);
     floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
@@ -168,7 +165,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     if (num_regions > regions_.size())
     {
         regions_.resize(num_regions);
-        measureRegions(features_[0], labels_[0].view(CV_32SC1), regions_);
+        measureRegions(features_[0], labels_[0].view(), regions_);
     }
 }
 
@@ -177,7 +174,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
-    const Mat labels = labels_[0].view(CV_32SC1);
+    const Mat labels = labels_[0].view();
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.squares);
     mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
                         merge_buffers, labels_[0], regions_);

@@ -21,9 +21,11 @@ public:
     //! Makes room for images of a size.
     void reserve(Size size);
 
-    //! labels become CV_32SC1, below 0 where there is none. Returns the number of superpixels.
-    int run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers,
-            Mat& labels);
+    //! Returns the number of superpixels.
+    int run(const Frame& frame, const Parameters& parameters, int num_iterations, MergeBuffers& merge_buffers);
+
+    //! The CV_32SC1 labels of the last run, below 0 where there is none, in the memory that the next run writes to.
+    Mat labels() { return labels_[0].view(); }
 
     //! Features of the pixels of the last run.
     FeatureMap features() const { return features_[0]; }

@@ -42,7 +42,14 @@ static inline int lowerOf(int a, int b)
     return a ^ ((a ^ b) & -int(b < a));
 }
 
-//! Most edges are between the same regions as the one before, or as one of the row above.
+static inline bool isBetween(const MergeEdge& edge, int a, int b)
+{
+    return ((edge.a ^ a) | (edge.b ^ b)) == 0;
+}
+
+//! Most edges are between the same regions as the one before, or as one of the row above; which ones cannot be
+//! foreseen. So there is no branch: behind the edges one is ready that the pair of regions gets if it is new. What has
+//! no label gets it, too, but does not keep it.
 void EdgeBuilder::addAll(const int* row, const int* other, int count)
 {
     edges_.reserve(edges_.count + count);
@@ -54,19 +61,16 @@ void EdgeBuilder::addAll(const int* row, const int* other, int count)
     {
         const int label = row[positions[i]], neighbor = other[positions[i]];
         const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a;
+        const MergeEdge ready = { a, b, 0, 0, 0 };
+        edges[num_edges] = ready;
         const unsigned hash = unsigned(a) * 0x9E3779B1u + unsigned(b) * 0x85EBCA77u;
         size_t& place = latest[hash >> (32 - LATEST_BITS)];
-        if (place < num_edges && edges[place].a == a && edges[place].b == b)
-        {
-            edges[place].length++;
-            edges[place].contrast += contrasts[i];
-        }
-        else if (a >= 0)
-        {
-            const MergeEdge edge = { a, b, 1, 0, contrasts[i] };
-            edges[num_edges] = edge;
-            place = num_edges++;
-        }
+        const size_t known = std::min(place, num_edges), is_same = isBetween(edges[known], a, b);
+        const size_t to = num_edges - ((num_edges - known) & (0 - is_same));
+        edges[to].length++;
+        edges[to].contrast += contrasts[i];
+        place = to;
+        num_edges += (to == num_edges) & (a >= 0);
     }
     edges_.count = num_edges;
 }
@@ -222,11 +226,6 @@ void MergeGraph::handOver()
 
 enum { FREE = INT_MAX }; // in a table of edges
 
-static inline bool isBetween(const MergeEdge& edge, int a, int b)
-{
-    return ((edge.a ^ a) | (edge.b ^ b)) == 0;
-}
-
 //! Makes one edge of those between the same regions. Returns how many there are then. The table, of so many bits, has
 //! the index of each edge, in the first free slot; most slots stay free. Behind the edges one is ready that the pair of
 //! regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that one, and there is no
@@ -241,9 +240,12 @@ static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* 
         const MergeEdge ready = { a, b, 0, 0, 0 };
         edges[count] = ready;
         unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
-        while (!isBetween(edges[std::min(table[slot], count)], a, b)) // seldom
+        int to = lowerOf(table[slot], count);
+        while (!isBetween(edges[to], a, b)) // seldom
+        {
             slot = (slot + 1) & last_slot;
-        const int to = std::min(table[slot], count);
+            to = lowerOf(table[slot], count);
+        }
         edges[to].length += from->length;
         edges[to].contrast += from->contrast;
         table[slot] = to;

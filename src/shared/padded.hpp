@@ -22,7 +22,7 @@ template <typename T> class Padded
 {
 public:
     //! Allocates for images of a size. Does not set the elements and the frame.
-    void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, CV_8UC(int(sizeof(T)))); }
+    void reserve(Size size) { buffer_.create(size.height + 2, size.width + 2, type()); }
 
     void create(Size size, const T& frame)
     {
@@ -40,19 +40,8 @@ public:
     T* row(int y) { return buffer_.ptr<T>(y + 1) + 1; }
     const T* row(int y) const { return buffer_.ptr<T>(y + 1) + 1; }
 
-    //! The image without its frame, as a Mat of the type of its elements.
-    Mat view(int type) { return Mat(size(), type, row(0), buffer_.step); }
-
-    //! Copies the image without its frame, whose elements have a type.
-    void copyTo(int type, Mat& image) const
-    {
-        image.create(size(), type);
-        parallel_for_(Range(0, image.rows), [&](const Range& rows)
-        {
-            for (int y = rows.start; y < rows.end; y++)
-                std::copy(row(y), row(y) + image.cols, image.ptr<T>(y));
-        });
-    }
+    //! The image without its frame, in the same memory.
+    Mat view() { return buffer_(Rect(Point(1, 1), size())); }
 
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }
@@ -60,6 +49,10 @@ public:
     Vec4i neighbors() const { return Vec4i(-1, -step(), 1, step()); }
 
 private:
+    static int type() { return typeOf(static_cast<const T*>(0)); }
+    static int typeOf(const int*) { return CV_32SC1; }
+    static int typeOf(const void*) { return CV_8UC(int(sizeof(T))); }
+
     Mat buffer_;
 };
 

@@ -6,6 +6,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+Reciprocals::Reciprocals() : of()
+{
+    for (int area = 1; area < COUNT; area++)
+        of[area] = int64(double(FIXED_ONE) / area);
+}
+
+const Reciprocals reciprocals;
+
 void Regions::divideBlocks(int side)
 {
     const int elements = side * side;

@@ -35,6 +35,23 @@ inline RegionMean meanOf(const Feature& f)
     return mean;
 }
 
+static const int64 FIXED_ONE = int64(1) << 48; //!< STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits
+
+//! FIXED_ONE over the areas that most regions have while they are flooded: everything waits for a division there.
+struct Reciprocals
+{
+    Reciprocals();
+
+    enum { COUNT = 256 };
+    int64 of[COUNT]; //!< that of 0 is 0
+};
+extern const Reciprocals reciprocals;
+
+inline int64 reciprocalOf(int area)
+{
+    return area < Reciprocals::COUNT ? reciprocals.of[area] : int64(double(FIXED_ONE) / area);
+}
+
 //! Sums over the pixels of a region.
 struct RegionSum
 {
@@ -62,18 +79,16 @@ struct RegionSum
 
     RegionMean mean() const
     {
-        const int64 reciprocal = int64(double(FIXED_ONE) / area);
+        const int64 reciprocal = reciprocalOf(area);
         RegionMean m;
         for (int k = 0; k < 3; k++)
-            m.color[k] = divide(color[k], reciprocal);
-        m.depth = depth_area ? divide(depth, int64(double(FIXED_ONE) / depth_area)) : short(RegionMean::NO_DEPTH);
+            m.color[k] = multiply(color[k], reciprocal);
+        m.depth = depth_area ? multiply(depth, reciprocalOf(depth_area)) : short(RegionMean::NO_DEPTH);
         return m;
     }
 
 private:
-    static const int64 FIXED_ONE = int64(1) << 48; // STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits
-
-    static short divide(int64 sum, int64 reciprocal)
+    static short multiply(int64 sum, int64 reciprocal)
     {
         return short((STEPS_PER_LEVEL * sum * reciprocal + FIXED_ONE / 2) >> 48);
     }
