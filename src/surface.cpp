@@ -210,9 +210,22 @@ inline v_int16x8 bendOf(const v_int16x8& a, const v_int16x8& b, const v_int16x8&
     return v_max(bend, bitAnd(v_sub_wrap(known, v_setall_s16(1)), v_setall_s16(SHRT_MAX)));
 }
 
+//! What slopes along an axis are limited to, and what makes them parts of normals.
+struct SlopeScale
+{
+    SlopeScale(short steepest_, float per_slope_)
+        : steepest(v_setall_s16(steepest_)), lowest(v_setall_s16(short(-steepest_))),
+          per_slope(v_setall_f32(per_slope_))
+    {
+    }
+
+    v_int16x8 steepest, lowest;
+    v_float32x4 per_slope;
+};
+
 //! Slopes of inverse depth at 8 blocks: differences over REACH elements, to the side on which it is nearer to a
 //! straight line. `known` stays 1 where one side has depth, else it becomes 0.
-inline v_int16x8 slopesOf(const short* w, int step, short steepest, v_int16x8& known)
+inline v_int16x8 slopesOf(const short* w, int step, const SlopeScale& scale, v_int16x8& known)
 {
     const v_int16x8 one = v_setall_s16(1), here = v_load(w);
     const v_int16x8 a = v_load(w - REACH * step), half_a = v_load(w - REACH / 2 * step);
@@ -223,7 +236,7 @@ inline v_int16x8 slopesOf(const short* w, int step, short steepest, v_int16x8& k
     const v_int16x8 slope_a = subtract(here, a), slope_b = subtract(b, here);
     const v_int16x8 slope = v_add_wrap(slope_a, bitAnd(v_sub_wrap(slope_b, slope_a), to_b));
     known = v_min(known, v_max(known_a, known_b));
-    return v_max(v_min(slope, v_setall_s16(steepest)), v_setall_s16(short(-steepest)));
+    return v_max(v_min(slope, scale.steepest), scale.lowest);
 }
 
 enum { STRIDE = 8 }; // blocks that become normals at once
@@ -256,12 +269,16 @@ public:
     //! Around the inverse depths w of the row are REACH more, and behind it a whole stride.
     void findRow(const short* w, int step, int y, int* normals) const
     {
-        for (size_t x = 0; x < rays_x_.size(); x += STRIDE)
+        const SlopeScale scale_x(steepest_x_, per_slope_x_), scale_y(steepest_y_, per_slope_y_);
+        const v_float32x4 ray_y = v_setall_f32(rays_y_[y]);
+        const float* const rays_x = rays_x_.data();
+        const int width = int(rays_x_.size());
+        for (int x = 0; x < width; x += STRIDE)
         {
             const v_int16x8 here = v_load(w + x);
             v_int16x8 known = v_min(here, v_setall_s16(1));
-            const v_int16x8 slopes_x = slopesOf(w + x, 1, steepest_x_, known);
-            const v_int16x8 slopes_y = slopesOf(w + x, step, steepest_y_, known);
+            const v_int16x8 slopes_x = slopesOf(w + x, 1, scale_x, known);
+            const v_int16x8 slopes_y = slopesOf(w + x, step, scale_y, known);
             v_int32x4 inverses[2], x_parts[2], y_parts[2], known_parts[2];
             v_expand(here, inverses[0], inverses[1]);
             v_expand(slopes_x, x_parts[0], x_parts[1]);
@@ -269,8 +286,9 @@ public:
             v_expand(v_sub_wrap(v_setzero_s16(), known), known_parts[0], known_parts[1]);
             for (int k = 0; k < 2; k++)
             {
-                const v_float32x4 rays_x = v_load(&rays_x_[x + 4 * k]);
-                const v_int32x4 found = normalsOf(inverses[k], x_parts[k], y_parts[k], rays_x, rays_y_[y]);
+                const v_float32x4 parts_x = multiply(v_cvt_f32(x_parts[k]), scale_x.per_slope);
+                const v_float32x4 parts_y = multiply(v_cvt_f32(y_parts[k]), scale_y.per_slope);
+                const v_int32x4 found = normalsOf(inverses[k], parts_x, parts_y, v_load(rays_x + x + 4 * k), ray_y);
                 v_store(normals + x + 4 * k, bitAnd(found, known_parts[k]));
             }
         }
@@ -296,14 +314,12 @@ private:
     }
 
     //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
-    //! (focal u, focal v, w - x focal u - y focal v).
-    v_int32x4 normalsOf(const v_int32x4& w, const v_int32x4& slopes_x, const v_int32x4& slopes_y,
-                        const v_float32x4& rays_x, float ray_y) const
+    //! (focal u, focal v, w - x focal u - y focal v). Its first two parts are given.
+    static v_int32x4 normalsOf(const v_int32x4& w, const v_float32x4& x, const v_float32x4& y,
+                               const v_float32x4& rays_x, const v_float32x4& rays_y)
     {
         const float UNIT = 1.f / float(Normal::ONE);
-        const v_float32x4 x = multiply(v_cvt_f32(slopes_x), v_setall_f32(per_slope_x_));
-        const v_float32x4 y = multiply(v_cvt_f32(slopes_y), v_setall_f32(per_slope_y_));
-        const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, v_setall_f32(ray_y)));
+        const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, rays_y));
         const v_float32x4 z = v_cvt_f32(subtract(subtract(w, away_x), away_y));
         const v_int32x4 squares = add(add(squareOf(x), squareOf(y)), add(squareOf(z), v_setall_s32(2)));
         const v_float32x4 lengths = v_sqrt(multiply(v_cvt_f32(squares), v_setall_f32(UNIT * UNIT * 256)));
@@ -339,7 +355,7 @@ NearnessScale scaleOf(float first, float last, int near_level)
     const double inverse_near = 1. / first, inverse_far = 1. / last;
     const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
                                   LEVELS / inverse_near);
-    const double horizon = FARTHEST - slope * inverse_far;
+    const double horizon = FARTHEST - slope / last; // no product, which some processors would not round before this
     const NearnessScale scale = { float(horizon + 0.5), float(slope), float(horizon) };
     return scale;
 }

@@ -275,7 +275,8 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 buffers.regions[first + m].add(features.data()[seed]);
             }
             if (features.withNormals())
-                findSlopes(features, &markers[own.start], own.size(), &buffers.regions[first + own.start]);
+                findSlopes(features, markers.data() + own.start, own.size(),
+                           buffers.regions.data() + first + own.start);
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
                       markers.data() + own.end, buffers, buffers.bands[i], labels);
             for (int m = own.start; m < own.end; m++)

@@ -62,7 +62,7 @@ SurfaceSolver::SurfaceSolver(const Camera& camera)
 //! Where the rays of places go, for a step forward of RAY.
 static v_int32x4 raysOf(const v_int32x4& centers, int axis, float per_focal)
 {
-    const v_float32x4 widest = v_setall_f32(2 * RAY), scale = v_setall_f32(per_focal * RAY / SurfaceMean::CENTER_UNIT);
+    const v_float32x4 widest = v_setall_f32(2 * RAY), scale = v_setall_f32(per_focal * float(RAY) / float(SurfaceMean::CENTER_UNIT));
     const v_float32x4 rays = multiply(v_cvt_f32(subtract(centers, v_setall_s32(axis))), scale);
     return v_trunc(v_max(v_min(rays, widest), v_setall_f32(-2 * RAY)));
 }
@@ -77,51 +77,63 @@ static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, f
 //! All bits where a number is above 0.
 static v_int32x4 isPositive(const v_int32x4& a) { return v_shr<31>(subtract(v_setzero_s32(), a)); }
 
+//! What is known of four surfaces before they are solved.
+struct FourSurfaceSums
+{
+    explicit FourSurfaceSums(const SurfaceSolver::Source* s)
+        : depths(s[0].depth, s[1].depth, s[2].depth, s[3].depth)
+    {
+        const SurfaceSum &a = *s[0].sum, &b = *s[1].sum, &c = *s[2].sum, &d = *s[3].sum;
+        const v_int32x4 depth_areas(s[0].depth_area, s[1].depth_area, s[2].depth_area, s[3].depth_area);
+        const v_int32x4 normal_areas(a.normal_area, b.normal_area, c.normal_area, d.normal_area);
+        const v_float32x4 one = v_setall_f32(1);
+        const v_float32x4 places = v_max(v_cvt_f32(depth_areas), one), normals = v_max(v_cvt_f32(normal_areas), one);
+        const v_float32x4 x_sums(float(a.x), float(b.x), float(c.x), float(d.x));
+        const v_float32x4 y_sums(float(a.y), float(b.y), float(c.y), float(d.y));
+        const v_float32x4 nx_sums(float(a.normal_x), float(b.normal_x), float(c.normal_x), float(d.normal_x));
+        const v_float32x4 ny_sums(float(a.normal_y), float(b.normal_y), float(c.normal_y), float(d.normal_y));
+        center_x = divide(x_sums, places, SurfaceMean::CENTER_UNIT);
+        center_y = divide(y_sums, places, SurfaceMean::CENTER_UNIT);
+        x = divide(nx_sums, normals, STEPS_PER_LEVEL);
+        y = divide(ny_sums, normals, STEPS_PER_LEVEL);
+        known = bitAnd(isPositive(depth_areas), isPositive(normal_areas));
+    }
+
+    v_int32x4 depths, center_x, center_y;
+    v_int32x4 x, y;  // of normals
+    v_int32x4 known; // all bits where there is a normal
+};
+
 //! With the normal (nx, ny, nz) and the ray (x, y, 1) of the centre, nearness above the horizon grows by
 //! nx / (nx x + ny y + nz) of it over one focal length to the right.
 //! @note Sums are of integers, and floats are only multiplied and divided, so that all processors agree.
 void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
 {
-    const SurfaceSum &a = *sources[0].sum, &b = *sources[1].sum, &c = *sources[2].sum, &d = *sources[3].sum;
-    const v_float32x4 one = v_setall_f32(1);
-    const v_int32x4 depths(sources[0].depth, sources[1].depth, sources[2].depth, sources[3].depth);
-    const v_int32x4 depth_areas(sources[0].depth_area, sources[1].depth_area, sources[2].depth_area,
-                                sources[3].depth_area);
-    const v_int32x4 normal_areas(a.normal_area, b.normal_area, c.normal_area, d.normal_area);
-    const v_float32x4 places = v_max(v_cvt_f32(depth_areas), one), normals = v_max(v_cvt_f32(normal_areas), one);
-    const v_float32x4 x_sums(float(a.x), float(b.x), float(c.x), float(d.x));
-    const v_float32x4 y_sums(float(a.y), float(b.y), float(c.y), float(d.y));
-    const v_int32x4 center_x = divide(x_sums, places, SurfaceMean::CENTER_UNIT);
-    const v_int32x4 center_y = divide(y_sums, places, SurfaceMean::CENTER_UNIT);
-
-    const v_int32x4 known = bitAnd(isPositive(depth_areas), isPositive(normal_areas));
-    const v_float32x4 nx_sums(float(a.normal_x), float(b.normal_x), float(c.normal_x), float(d.normal_x));
-    const v_float32x4 ny_sums(float(a.normal_y), float(b.normal_y), float(c.normal_y), float(d.normal_y));
-    const v_int32x4 x = divide(nx_sums, normals, STEPS_PER_LEVEL), y = divide(ny_sums, normals, STEPS_PER_LEVEL);
-
+    const FourSurfaceSums sums(sources);
     const int ONE = STEPS_PER_LEVEL * Normal::ONE;
-    const v_int32x4 zero = v_setall_s32(STEPS_PER_LEVEL * Normal::ZERO), nx = subtract(x, zero), ny = subtract(y, zero);
-    const v_int16x8 across = makePairs(nx, ny);
+    const v_int32x4 zero = v_setall_s32(STEPS_PER_LEVEL * Normal::ZERO);
+    const v_int32x4 nx = subtract(sums.x, zero), ny = subtract(sums.y, zero);
+    const v_int16x8 across = makePairs(nx, ny), rays = makePairs(raysOf(sums.center_x, axis_x_, per_focal_.x),
+                                                                 raysOf(sums.center_y, axis_y_, per_focal_.y));
     const v_float32x4 forward = v_cvt_f32(subtract(v_setall_s32(ONE * ONE), v_dotprod(across, across)));
     const v_int32x4 nz = v_trunc(v_sqrt(v_max(forward, v_setzero_f32())));
-    const v_int16x8 rays = makePairs(raysOf(center_x, axis_x_, per_focal_.x), raysOf(center_y, axis_y_, per_focal_.y));
     const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<12>(nz)));
     const float LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
-    const v_float32x4 above_horizon = v_cvt_f32(subtract(depths, v_setall_s32(horizon_)));
+    const v_float32x4 above_horizon = v_cvt_f32(subtract(sums.depths, v_setall_s32(horizon_)));
     const v_float32x4 scales = multiply(divide(above_horizon, v_max(facing, v_setall_f32(LEAST_FACING))),
                                         v_setall_f32(SurfaceMean::PLANE_UNIT * RAY));
-    const v_int32x4 slope_x = slopesOf(nx, scales, per_focal_.x), slope_y = slopesOf(ny, scales, per_focal_.y);
+    const v_int16x8 slopes = makePairs(slopesOf(nx, scales, per_focal_.x), slopesOf(ny, scales, per_focal_.y));
 
-    int words[4][4]; // normals, slopes and centres of each
-    v_int32x4 rows[4];
-    v_transpose4x4(bitAnd(v_reinterpret_as_s32(makePairs(x, y)), known),
-                   bitAnd(v_reinterpret_as_s32(makePairs(slope_x, slope_y)), known), center_x, center_y, rows[0],
-                   rows[1], rows[2], rows[3]);
+    v_int32x4 rows[4]; // of each: normal, slopes and centre
+    v_transpose4x4(bitAnd(v_reinterpret_as_s32(makePairs(sums.x, sums.y)), sums.known),
+                   bitAnd(v_reinterpret_as_s32(slopes), sums.known), sums.center_x, sums.center_y, rows[0], rows[1],
+                   rows[2], rows[3]);
     for (int k = 0; k < 4; k++)
     {
-        v_store(words[k], rows[k]);
-        memcpy(&means[k].x, &words[k][0], 2 * sizeof(int));
-        means[k].center = Point(words[k][2], words[k][3]);
+        int words[4];
+        v_store(words, rows[k]);
+        memcpy(static_cast<void*>(means + k), words, 2 * sizeof(int)); // up to the slopes
+        means[k].center = Point(words[2], words[3]);
         means[k].setDepth(sources[k].depth);
     }
 }

@@ -84,7 +84,7 @@ struct FourSurfaces
         for (int k = 0; k < 4; k++)
         {
             const SurfaceMean& surface = surfaces[regions[k]->index];
-            words[k] = v_reinterpret_as_s32(v_load(&surface.x)); // up to x of the centre
+            words[k] = v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&surface))); // up to x of the centre
             y[k] = surface.center.y;
         }
         v_transpose4x4(words[0], words[1], words[2], words[3], normals, slopes, base, center_x);
