@@ -20,25 +20,25 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
     const int ry = cell.height > 2 ? std::max(cell.height / 4, 1) : 0;
     const Rect window(Point(center2.x / 2 - rx, center2.y / 2 - ry),
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
+    // Both in one number: the gradient counts first, then the distance.
+    const int AWAY_BITS = 44;
+    const int64 FARTHEST = (int64(1) << AWAY_BITS) - 1;
     Point best;
-    int smallest = INT_MAX;
-    int64 nearest = 0;
+    int64 lowest = INT64_MAX;
     for (int y = window.y; y < window.br().y; y++)
     {
         const ushort* row = gradient.ptr<ushort>(y);
         const int64 dy = 2 * y - center2.y;
         for (int x = window.x; x < window.br().x; x++)
         {
-            if (row[x] > smallest)
+            const int64 dx = 2 * x - center2.x;
+            const int64 height = (int64(row[x]) << AWAY_BITS) + std::min(dx * dx + dy * dy, FARTHEST);
+            if (height > lowest)
                 continue;
-            const int64 dx = 2 * x - center2.x, away = dx * dx + dy * dy;
-            if (row[x] < smallest || away < nearest ||
-                (away == nearest && symmetric && fromMiddle(gradient, Point(x, y)) < fromMiddle(gradient, best)))
-            {
+            if (height < lowest ||
+                (symmetric && fromMiddle(gradient, Point(x, y)) < fromMiddle(gradient, best)))
                 best = Point(x, y);
-                smallest = row[x];
-                nearest = away;
-            }
+            lowest = height;
         }
     }
     return best;
@@ -133,23 +133,32 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
     }
 }
 
+//! The n + 1 limits of columns, if they are not known from the row before: divisions take time.
+static void findLimits(const MarkerGrid& grid, int n, std::vector<int>& limits)
+{
+    if (int(limits.size()) == n + 1)
+        return;
+    limits.resize(n + 1);
+    for (int i = 0; i <= n; i++)
+        limits[i] = grid.limitOfColumns(i, n);
+}
+
 //! Calls body(marker, part) for all parts of a row of cells, number first..last-1.
 template <typename Body>
-static void forPartsInRow(const MarkerGrid& grid, int row, int first, int last, const Body& body)
+static void forPartsInRow(const MarkerGrid& grid, int row, int first, int last, std::vector<int>& limits,
+                          const Body& body)
 {
     const Size parts = grid.parts;
-    const int columns = (last - first) * parts.width;
+    findLimits(grid, (last - first) * parts.width, limits);
     for (int i = 0; i < parts.height; i++)
     {
         const int part_row = row * parts.height + i;
         const int top = grid.limitOfRows(part_row, grid.rows * parts.height);
         const int bottom = grid.limitOfRows(part_row + 1, grid.rows * parts.height);
-        for (int k = 0, left = 0, right; k < columns; k++, left = right)
-        {
-            right = grid.limitOfColumns(k + 1, columns);
-            body((first + k / parts.width) * parts.area() + i * parts.width + k % parts.width,
-                 Rect(Point(left, top), Point(right, bottom)));
-        }
+        for (int cell = first, k = 0; cell < last; cell++)
+            for (int j = 0; j < parts.width; j++, k++)
+                body(cell * parts.area() + i * parts.width + j,
+                     Rect(Point(limits[k], top), Point(limits[k + 1], bottom)));
     }
 }
 
@@ -158,9 +167,10 @@ template <typename Body> static void forParts(const MarkerGrid& grid, const Body
 {
     parallel_for_(Range(0, grid.rows), [&](const Range& range)
     {
+        std::vector<int> limits;
         for (int i = range.start; i < range.end; i++)
             forPartsInRow(grid, i, divide(grid.num_cells, i, grid.rows), divide(grid.num_cells, i + 1, grid.rows),
-                          body);
+                          limits, body);
     });
 }
 

@@ -145,13 +145,14 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
     const size_t FEWEST = 32; // active regions for each pair; else they depend on each other in long chains, or on one
     const double share = in_order || num_left_ <= FAR * num_wanted ? SHARE : SHARE_FAR;
     const size_t most = num_left_ - num_wanted;
-    if (num_pairs * FEWEST < num_active)
+    const bool one_sided = num_pairs * FEWEST < num_active;
+    if (one_sided)
         chooseOneSided(share, most);
     else
         choose(std::min(most, size_t(std::ceil(share * double(countWelcome(num_pairs))))));
     if (in_order)
         std::sort(b_.chosen.begin(), b_.chosen.end());
-    unite();
+    unite(one_sided);
     return true;
 }
 
@@ -314,10 +315,24 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
     }
 }
 
-void SimilarMerger::unite()
+//! Each region is in one pair, unless they are one-sided: then many can be united at the same time.
+void SimilarMerger::unite(bool one_sided)
 {
-    b_.united.clear();
-    for (size_t i = 0; i < b_.chosen.size(); i++)
+    const int AT_LEAST = 512, count = int(b_.chosen.size());
+    const auto work = [&](const Range& range) { unite(range); };
+    if (one_sided || count < AT_LEAST)
+        work(Range(0, count));
+    else
+        parallel_for_(Range(0, count), work);
+    num_left_ -= count;
+}
+
+//! Some of the chosen pairs. Means are taken anew together, because that is done for four regions at once.
+void SimilarMerger::unite(const Range& pairs)
+{
+    std::vector<int> numbers;
+    numbers.reserve(pairs.size());
+    for (int i = pairs.start; i < pairs.end; i++)
     {
         const int from = b_.chosen[i].from, to = b_.chosen[i].to;
         regions_.unite(from, to);
@@ -325,12 +340,11 @@ void SimilarMerger::unite()
             b_.squares[to] += b_.squares[from];
         b_.parents[from] = to;
         b_.changed[to] = 1;
-        b_.united.push_back(to);
+        numbers.push_back(to);
     }
-    regions_.update(b_.united);
-    for (size_t i = 0; i < b_.united.size(); i++)
-        b_.records[b_.united[i]] = describe(b_.united[i]);
-    num_left_ -= int(b_.chosen.size());
+    regions_.update(numbers);
+    for (size_t i = 0; i < numbers.size(); i++)
+        b_.records[numbers[i]] = describe(numbers[i]);
 }
 
 }}} // namespace

@@ -39,7 +39,6 @@ struct MergeBuffers
     std::vector<int> parents;       // the region that took each one in, or itself
     std::vector<uchar> changed;     // took in others in this round
     std::vector<MergePair> chosen;
-    std::vector<int> united;        // what the chosen ones went into
     std::vector<int> counts;        // of pairs in each bin of costs
 };
 
@@ -74,7 +73,8 @@ private:
     size_t countWelcome(size_t num_pairs) const;
     void choose(size_t count);
     void chooseOneSided(double share, size_t most);
-    void unite();
+    void unite(bool one_sided);
+    void unite(const Range& pairs);
 
     const RegionDistance distance_;
     const MergeRules rules_;

@@ -62,7 +62,8 @@ SurfaceSolver::SurfaceSolver(const Camera& camera)
 //! Where the rays of places go, for a step forward of RAY.
 static v_int32x4 raysOf(const v_int32x4& centers, int axis, float per_focal)
 {
-    const v_float32x4 widest = v_setall_f32(2 * RAY), scale = v_setall_f32(per_focal * float(RAY) / float(SurfaceMean::CENTER_UNIT));
+    const v_float32x4 widest = v_setall_f32(2 * RAY);
+    const v_float32x4 scale = v_setall_f32(per_focal * float(RAY) / float(SurfaceMean::CENTER_UNIT));
     const v_float32x4 rays = multiply(v_cvt_f32(subtract(centers, v_setall_s32(axis))), scale);
     return v_trunc(v_max(v_min(rays, widest), v_setall_f32(-2 * RAY)));
 }
