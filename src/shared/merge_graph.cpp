@@ -47,9 +47,8 @@ static inline bool isBetween(const MergeEdge& edge, int a, int b)
     return ((edge.a ^ a) | (edge.b ^ b)) == 0;
 }
 
-//! Most edges are between the same regions as the one before, or as one of the row above; which ones cannot be
-//! foreseen. So there is no branch: behind the edges one is ready that the pair of regions gets if it is new. What has
-//! no label gets it, too, but does not keep it.
+//! Most edges are between the same regions as the one before, or as one of the row above. It cannot be foreseen well
+//! which ones, so there is one branch only.
 void EdgeBuilder::addAll(const int* row, const int* other, int count)
 {
     edges_.reserve(edges_.count + count);
@@ -61,16 +60,20 @@ void EdgeBuilder::addAll(const int* row, const int* other, int count)
     {
         const int label = row[positions[i]], neighbor = other[positions[i]];
         const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a;
-        const MergeEdge ready = { a, b, 0, 0, 0 };
-        edges[num_edges] = ready;
         const unsigned hash = unsigned(a) * 0x9E3779B1u + unsigned(b) * 0x85EBCA77u;
         size_t& place = latest[hash >> (32 - LATEST_BITS)];
-        const size_t known = std::min(place, num_edges), is_same = isBetween(edges[known], a, b);
-        const size_t to = num_edges - ((num_edges - known) & (0 - is_same));
-        edges[to].length++;
-        edges[to].contrast += contrasts[i];
-        place = to;
-        num_edges += (to == num_edges) & (a >= 0);
+        MergeEdge& known = edges[std::min(place, num_edges)];
+        if ((place < num_edges) & isBetween(known, a, b))
+        {
+            known.length++;
+            known.contrast += contrasts[i];
+        }
+        else if (a >= 0)
+        {
+            const MergeEdge edge = { a, b, 1, 0, contrasts[i] };
+            edges[num_edges] = edge;
+            place = num_edges++;
+        }
     }
     edges_.count = num_edges;
 }
