@@ -125,10 +125,12 @@ void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
                                         v_setall_f32(SurfaceMean::PLANE_UNIT * RAY));
     const v_int16x8 slopes = makePairs(slopesOf(nx, scales, per_focal_.x), slopesOf(ny, scales, per_focal_.y));
 
-    v_int32x4 rows[4]; // of each: normal, slopes and centre
-    v_transpose4x4(bitAnd(v_reinterpret_as_s32(makePairs(sums.x, sums.y)), sums.known),
-                   bitAnd(v_reinterpret_as_s32(slopes), sums.known), sums.center_x, sums.center_y, rows[0], rows[1],
-                   rows[2], rows[3]);
+    v_int32x4 columns[4], rows[4]; // of each surface: normal, slopes and centre
+    columns[0] = bitAnd(v_reinterpret_as_s32(makePairs(sums.x, sums.y)), sums.known);
+    columns[1] = bitAnd(v_reinterpret_as_s32(slopes), sums.known);
+    columns[2] = sums.center_x;
+    columns[3] = sums.center_y;
+    v_transpose4x4(columns[0], columns[1], columns[2], columns[3], rows[0], rows[1], rows[2], rows[3]);
     for (int k = 0; k < 4; k++)
     {
         int words[4];
