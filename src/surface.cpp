@@ -16,7 +16,7 @@ const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the rang
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
 const int LEVELS_OF_GAP = 64; //!< between the near end of the range and what is much nearer
-const double LEVELS = 4000;  //!< of nearness, at most, down to infinity: finer differences are noise
+const double LEVELS = 2500;  //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth, rounded down.
 struct NearnessScale
@@ -32,7 +32,17 @@ struct DepthSpan
     bool nearer; //!< some are much nearer than the range
 };
 
-//! The range of depths without a hundredth at each end, up to infinity if some are that. Values
+//! The near end of a range that leaves out a hundredth of the depths there: moved to leave out a thousandth, because
+//! what is small and near is worth telling apart, but not so far that nearness gets less than 4/5 of its levels.
+float extendNearEnd(FloatRange range, std::vector<float>& depths)
+{
+    const auto thousandth = depths.begin() + ptrdiff_t(depths.size() / 1000);
+    std::nth_element(depths.begin(), thousandth, depths.end());
+    const double inverse_near = 1. / range.first, inverse_far = 1. / range.last;
+    return std::max(*thousandth, float(1 / (inverse_near + (inverse_near - inverse_far) / 4)));
+}
+
+//! The range of depths without outliers at each end, up to infinity if some are that. Values
 //! much nearer than half of all, as a value that means "no depth", do not count. {0, 0} if there are not two depths.
 FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
 {
@@ -56,18 +66,22 @@ FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
     }
     if (has_far)
         range.last = std::numeric_limits<float>::infinity();
+    if (range.first < range.last)
+        range.first = extendNearEnd(range, depths);
     return range.first < range.last || nearer ? range : FloatRange();
 }
 
 //! One depth of each step pixels that follow one another.
 std::vector<float> sampleDepths(const Mat& depth, int64 step)
 {
-    const size_t size = depth.elemSize();
-    std::vector<uchar> bytes;
+    const size_t size = depth.elemSize(), total = depth.total();
+    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
+    uchar* to = bytes.data();
     visitSample(depth.size(), step, [&](int y, int x)
     {
         const uchar* from = depth.ptr(y) + size * x;
-        bytes.insert(bytes.end(), from, from + size);
+        for (size_t i = 0; i < size; i++)
+            *to++ = from[i];
     });
     std::vector<float> depths(bytes.size() / size);
     readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
@@ -105,6 +119,24 @@ inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
     const v_float32x4 level = add(v_setall_f32(scale.offset), divide(v_setall_f32(scale.slope), depth));
     const v_float32x4 within = v_min(v_max(level, v_setall_f32(FARTHEST)), v_setall_f32(NEAREST));
     return bitAnd(v_trunc(within), hasDepth(depth));
+}
+
+//! As readDepths(), of the usual type without a detour.
+void readRow(const Mat& row, float* to)
+{
+    const int STRIDE = 8, cols = row.depth() == CV_16U ? row.cols & -STRIDE : 0;
+    const ushort* from = row.ptr<ushort>();
+    const v_uint16x8 missing = v_setall_u16(USHRT_MAX);
+    for (int x = 0; x < cols; x += STRIDE)
+    {
+        const v_uint16x8 depths = v_load(from + x);
+        v_uint32x4 low, high;
+        v_expand(v_sub_wrap(depths, bitAnd(depths, equal(depths, missing))), low, high);
+        v_store(to + x, v_cvt_f32(v_reinterpret_as_s32(low)));
+        v_store(to + x + 4, v_cvt_f32(v_reinterpret_as_s32(high)));
+    }
+    if (cols < row.cols)
+        readDepths(row.colRange(cols, row.cols), to + cols);
 }
 
 //! The lowest and the highest level of some pixels that have depth.
@@ -178,9 +210,22 @@ inline v_int16x8 bendOf(const v_int16x8& a, const v_int16x8& b, const v_int16x8&
     return v_max(bend, bitAnd(v_sub_wrap(known, v_setall_s16(1)), v_setall_s16(SHRT_MAX)));
 }
 
+//! What slopes along an axis are limited to, and what makes them parts of normals.
+struct SlopeScale
+{
+    SlopeScale(short steepest_, float per_slope_)
+        : steepest(v_setall_s16(steepest_)), lowest(v_setall_s16(short(-steepest_))),
+          per_slope(v_setall_f32(per_slope_))
+    {
+    }
+
+    v_int16x8 steepest, lowest;
+    v_float32x4 per_slope;
+};
+
 //! Slopes of inverse depth at 8 blocks: differences over REACH elements, to the side on which it is nearer to a
 //! straight line. `known` stays 1 where one side has depth, else it becomes 0.
-inline v_int16x8 slopesOf(const short* w, int step, short steepest, v_int16x8& known)
+inline v_int16x8 slopesOf(const short* w, int step, const SlopeScale& scale, v_int16x8& known)
 {
     const v_int16x8 one = v_setall_s16(1), here = v_load(w);
     const v_int16x8 a = v_load(w - REACH * step), half_a = v_load(w - REACH / 2 * step);
@@ -191,7 +236,7 @@ inline v_int16x8 slopesOf(const short* w, int step, short steepest, v_int16x8& k
     const v_int16x8 slope_a = subtract(here, a), slope_b = subtract(b, here);
     const v_int16x8 slope = v_add_wrap(slope_a, bitAnd(v_sub_wrap(slope_b, slope_a), to_b));
     known = v_min(known, v_max(known_a, known_b));
-    return v_max(v_min(slope, v_setall_s16(steepest)), v_setall_s16(short(-steepest)));
+    return v_max(v_min(slope, scale.steepest), scale.lowest);
 }
 
 enum { STRIDE = 8 }; // blocks that become normals at once
@@ -224,12 +269,16 @@ public:
     //! Around the inverse depths w of the row are REACH more, and behind it a whole stride.
     void findRow(const short* w, int step, int y, int* normals) const
     {
-        for (size_t x = 0; x < rays_x_.size(); x += STRIDE)
+        const SlopeScale scale_x(steepest_x_, per_slope_x_), scale_y(steepest_y_, per_slope_y_);
+        const v_float32x4 ray_y = v_setall_f32(rays_y_[y]);
+        const float* const rays_x = rays_x_.data();
+        const int width = int(rays_x_.size());
+        for (int x = 0; x < width; x += STRIDE)
         {
             const v_int16x8 here = v_load(w + x);
             v_int16x8 known = v_min(here, v_setall_s16(1));
-            const v_int16x8 slopes_x = slopesOf(w + x, 1, steepest_x_, known);
-            const v_int16x8 slopes_y = slopesOf(w + x, step, steepest_y_, known);
+            const v_int16x8 slopes_x = slopesOf(w + x, 1, scale_x, known);
+            const v_int16x8 slopes_y = slopesOf(w + x, step, scale_y, known);
             v_int32x4 inverses[2], x_parts[2], y_parts[2], known_parts[2];
             v_expand(here, inverses[0], inverses[1]);
             v_expand(slopes_x, x_parts[0], x_parts[1]);
@@ -237,8 +286,9 @@ public:
             v_expand(v_sub_wrap(v_setzero_s16(), known), known_parts[0], known_parts[1]);
             for (int k = 0; k < 2; k++)
             {
-                const v_float32x4 rays_x = v_load(&rays_x_[x + 4 * k]);
-                const v_int32x4 found = normalsOf(inverses[k], x_parts[k], y_parts[k], rays_x, rays_y_[y]);
+                const v_float32x4 parts_x = multiply(v_cvt_f32(x_parts[k]), scale_x.per_slope);
+                const v_float32x4 parts_y = multiply(v_cvt_f32(y_parts[k]), scale_y.per_slope);
+                const v_int32x4 found = normalsOf(inverses[k], parts_x, parts_y, v_load(rays_x + x + 4 * k), ray_y);
                 v_store(normals + x + 4 * k, bitAnd(found, known_parts[k]));
             }
         }
@@ -264,14 +314,12 @@ private:
     }
 
     //! The normal of a plane whose inverse depth w has the slopes u, v, along rays (x, y, 1), is
-    //! (focal u, focal v, w - x focal u - y focal v).
-    v_int32x4 normalsOf(const v_int32x4& w, const v_int32x4& slopes_x, const v_int32x4& slopes_y,
-                        const v_float32x4& rays_x, float ray_y) const
+    //! (focal u, focal v, w - x focal u - y focal v). Its first two parts are given.
+    static v_int32x4 normalsOf(const v_int32x4& w, const v_float32x4& x, const v_float32x4& y,
+                               const v_float32x4& rays_x, const v_float32x4& rays_y)
     {
         const float UNIT = 1.f / float(Normal::ONE);
-        const v_float32x4 x = multiply(v_cvt_f32(slopes_x), v_setall_f32(per_slope_x_));
-        const v_float32x4 y = multiply(v_cvt_f32(slopes_y), v_setall_f32(per_slope_y_));
-        const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, v_setall_f32(ray_y)));
+        const v_int32x4 away_x = v_trunc(multiply(x, rays_x)), away_y = v_trunc(multiply(y, rays_y));
         const v_float32x4 z = v_cvt_f32(subtract(subtract(w, away_x), away_y));
         const v_int32x4 squares = add(add(squareOf(x), squareOf(y)), add(squareOf(z), v_setall_s32(2)));
         const v_float32x4 lengths = v_sqrt(multiply(v_cvt_f32(squares), v_setall_f32(UNIT * UNIT * 256)));
@@ -284,27 +332,31 @@ private:
     const std::vector<float> rays_x_, rays_y_;
 };
 
-//! Means over 3x3 blocks, where the one in the middle is known.
-void smoothRow(const int* above, const int* row, const int* below, int cols, std::vector<int>& sums, Normal* to)
+//! Means over 3x3 blocks, where the one in the middle is known, of a row of whole strides.
+void smoothRow(const int* above, const int* row, const int* below, int cols, std::vector<int>& columns, Normal* to)
 {
-    sums.assign(cols + 2, 0); // of columns, between empty ones
-    for (int x = 0; x < cols; x++)
-        sums[x + 1] = above[x] + row[x] + below[x];
-    for (int x = 0; x < cols; x++)
+    columns.resize(cols + 2); // sums of three, between empty ones
+    int* sums = columns.data();
+    sums[0] = sums[cols + 1] = 0;
+    for (int x = 0; x < cols; x += 4)
+        v_store(sums + x + 1, add(add(v_load(above + x), v_load(row + x)), v_load(below + x)));
+    for (int x = 0; x < cols; x += 4)
     {
-        const int known = -int(row[x] != 0); // all bits
-        to[x] = NormalSum::mean((sums[x] + sums[x + 1] + sums[x + 2]) & known);
+        const v_int32x4 sum = add(add(v_load(sums + x), v_load(sums + x + 1)), v_load(sums + x + 2));
+        const v_int32x4 known = v_shr<31>(subtract(v_setzero_s32(), v_load(row + x))); // all bits
+        NormalSum::mean(bitAnd(sum, known), to + x);
     }
 }
 
-//! From the depth of the near end of the range, and of the far end, which may be infinite.
+//! From the depth of the near end of the range, and of the far end, which may be infinite and becomes the first level.
+//! Levels that are left over tell apart what is nearer than the range.
 NearnessScale scaleOf(float first, float last, int near_level)
 {
     const double inverse_near = 1. / first, inverse_far = 1. / last;
     const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
                                   LEVELS / inverse_near);
-    const double horizon = near_level - slope * inverse_near;
-    const NearnessScale scale = { float(near_level + 0.5 - slope * inverse_near), float(slope), float(horizon) };
+    const double horizon = FARTHEST - slope / last; // no product, which some processors would not round before this
+    const NearnessScale scale = { float(horizon + 0.5), float(slope), float(horizon) };
     return scale;
 }
 
@@ -325,7 +377,7 @@ LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_dept
             for (int i = 0; i < std::min(2, depth.rows - 2 * y); i++)
             {
                 uchar* levels = nearness.ptr(2 * y + i);
-                readDepths(depth.row(2 * y + i), pair[i].data());
+                readRow(depth.row(2 * y + i), pair[i].data());
                 scaleRow(pair[i].data(), depth.cols, scale, levels);
                 ranges[y].add(levels, depth.cols);
             }
@@ -353,12 +405,12 @@ bool findNormals(const Camera& camera, const Mat& inverses, Size blocks, Mat& ra
     });
     if (countNonZero(raw_normals) == 0)
         return false;
-    normals.create(blocks, CV_8UC2);
+    normals.create(blocks.height, raw_normals.cols, CV_8UC2);
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)
     {
         std::vector<int> sums;
         for (int y = rows.start; y < rows.end; y++)
-            smoothRow(raw_normals.ptr<int>(y), raw_normals.ptr<int>(y + 1), raw_normals.ptr<int>(y + 2), blocks.width,
+            smoothRow(raw_normals.ptr<int>(y), raw_normals.ptr<int>(y + 1), raw_normals.ptr<int>(y + 2), normals.cols,
                       sums, normals.ptr<Normal>(y));
     });
     return true;

@@ -22,8 +22,9 @@ struct SurfaceBuffers
 //! that means and differences of it are exact, and the noise of stereo and structured light is the same near and far.
 //!
 //! nearness becomes CV_8UC1, 1..255, 255 is near, 0 missing; or empty if depth tells nothing apart. normals become
-//! CV_8UC2, one for each block of 2x2 pixels, as in Normal; or empty if there are none. The nearness of infinity goes
-//! to the camera. Both limits of the range 0: it is taken from the frame. The unit of depth cancels out.
+//! CV_8UC2, one for each block of 2x2 pixels, as in Normal, and rows end with some that are not known, up to a multiple
+//! of 8; or they become empty if there are none. The nearness of infinity goes to the camera. Both limits of the range
+//! 0: it is taken from the frame. The unit of depth cancels out.
 void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuffers& buffers, Mat& nearness,
                  Mat& normals);
 

@@ -87,6 +87,33 @@ TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
     EXPECT_GT(purity(labelsOf(segment(gray(), depth, 80)), 80, inside), 0.99);
 }
 
+//! Nearer than 99 of 100 pixels is only the small one.
+TEST(ximgproc_GWatershed_surfaces, small_things_near_to_the_camera_are_cut_out)
+{
+    for (int side : { 12, 16, 20, 24 })
+    {
+        Mat depth(SIZE, CV_32FC1, Scalar(3500)), small = Mat::zeros(SIZE, CV_8UC1);
+        depth(Rect(100, 80, 100, 60)).setTo(Scalar(3330)); // a large thing, and the small one on it
+        const Rect place(140, 100, side, side);
+        depth(place).setTo(Scalar(3245));
+        small(place).setTo(Scalar(255));
+        const double wrong = (1 - purity(labelsOf(segment(gray(), depth, 100)), 100, small)) * SIZE.area();
+        EXPECT_LT(wrong, 0.1 * place.area()) << side;
+    }
+}
+
+TEST(ximgproc_GWatershed_surfaces, few_wrong_depths_near_to_the_camera_take_no_levels_from_others)
+{
+    Mat depth(SIZE, CV_32FC1, Scalar(1500)), box = Mat::zeros(SIZE, CV_8UC1);
+    const Rect place(120, 90, 60, 50);
+    depth(place).setTo(Scalar(1470));
+    box(place).setTo(Scalar(255));
+    for (int i = 0; i < SIZE.area() / 200; i++)
+        depth.at<float>(theRNG().uniform(0, SIZE.height), theRNG().uniform(0, SIZE.width)) = 300;
+    const double wrong = (1 - purity(labelsOf(segment(gray(), depth, 100)), 100, box)) * SIZE.area();
+    EXPECT_LT(wrong, 0.05 * place.area());
+}
+
 //! Compactness of what a patch of another colour, which appears in a video of a plane, is divided into.
 static double compactnessOfNewPatch(double slope_x, double slope_y)
 {

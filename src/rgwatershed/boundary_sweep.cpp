@@ -280,28 +280,27 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
 void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
                                     Regions& regions) const
 {
-    const auto add = [&](int index, int region, int times)
+    const auto add = [&](int index, Point place, int region, int times)
     {
         if (region < range.start || region >= range.end)
             return;
         const Feature& feature = features.data()[index];
         regions.sums[region].add(feature, times);
         if (regions.surfaces.present)
-        {
-            const Point p = features.point(index);
-            regions.surfaces.sums[region].add(feature, features.normalAt(p), p, times);
-        }
+            regions.surfaces.sums[region].add(feature, features.normalAt(place), place, times);
         if (guard)
-            guard->add(features.point(index), region, times);
+            guard->add(place, region, times);
     };
+    const bool needs_places = regions.surfaces.present || guard;
     for (size_t i = 0; i < moves_.size(); i++)
         for (size_t k = 0; k < moves_[i].list.size() && moves_[i].meets(range); k++)
         {
-            add(moves_[i].list[k].index, moves_[i].list[k].from, -1);
-            add(moves_[i].list[k].index, moves_[i].list[k].to, 1);
+            const Move& move = moves_[i].list[k];
+            const Point place = needs_places ? features.point(move.index) : Point();
+            add(move.index, place, move.from, -1);
+            add(move.index, place, move.to, 1);
         }
-    for (int i = range.start; i < range.end; i++)
-        regions.update(i);
+    regions.update(range);
     if (guard)
         guard->update(range);
 }

@@ -20,20 +20,6 @@ static uchar meanDepth(const Feature* const* elements, int n)
     return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
 
-//! The same of four 16-bit values up to 255. The sum is multiplied by 12 / known, which is the largest of three lines
-//! over the numbers 1 to 4, and divided by 12.
-static inline v_uint16x8 meanDepth(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
-{
-    const v_uint16x8 one = v_setall_u16(1), sum = v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d));
-    const v_int16x8 known = v_reinterpret_as_s16(v_add_wrap(v_add_wrap(v_min(a, one), v_min(b, one)),
-                                                            v_add_wrap(v_min(c, one), v_min(d, one))));
-    const v_int16x8 twice = v_shl<1>(known);
-    const v_int16x8 factor = v_max(v_sub_wrap(v_setall_s16(18), v_add_wrap(v_shl<2>(known), twice)),
-                                   v_max(v_sub_wrap(v_setall_s16(10), twice), v_sub_wrap(v_setall_s16(7), known)));
-    const v_uint16x8 product = v_mul_wrap(sum, v_reinterpret_as_u16(factor));
-    return v_mul_hi(v_add_wrap(product, v_setall_u16(6)), v_setall_u16(5462));
-}
-
 //! Sums of up to 1024, so 16 bits hold them.
 struct Halves
 {
@@ -41,32 +27,46 @@ struct Halves
     v_uint16x8 low, high;
 };
 
-static inline v_uint16x8 quarter(const v_uint16x8& a, const v_uint16x8& b, const v_uint16x8& c, const v_uint16x8& d)
+//! 12 over the number of elements that count: all four for colours, those with depth for depth. It is the largest of
+//! three lines over the numbers 1 to 4.
+static inline v_uint8x16 twelfths(const v_uint8x16& a, const v_uint8x16& b, const v_uint8x16& c, const v_uint8x16& d)
 {
-    return v_shr<2>(v_add_wrap(v_add_wrap(v_add_wrap(a, b), v_add_wrap(c, d)), v_setall_u16(2)));
+    const v_uint8x16 one = v_reinterpret_as_u8(v_setall_u32(1u << 24)); // for depth, the last byte of a feature
+    const v_uint8x16 known = v_add_wrap(v_add_wrap(v_min(a, one), v_min(b, one)),
+                                        v_add_wrap(v_min(c, one), v_min(d, one)));
+    const v_uint8x16 number = v_add_wrap(known, v_reinterpret_as_u8(v_setall_u32(0x040404)));
+    const v_uint8x16 twice = v_add_wrap(number, number), six_times = v_add_wrap(v_add_wrap(twice, twice), twice);
+    return v_max(subtract(v_setall_u8(18), six_times),
+                 v_max(subtract(v_setall_u8(10), twice), subtract(v_setall_u8(7), number)));
 }
 
-//! Depths of 4 features, as 32-bit numbers.
-static inline v_uint16x8 depthOf(const v_uint32x4& features)
+//! Sums in twelfths, divided by 12 and rounded.
+static inline v_int16x8 divideByTwelve(const v_uint16x8& sums, const v_uint16x8& factors)
 {
-    return v_reinterpret_as_u16(v_shr<24>(features));
+    const v_uint16x8 rounded = v_add_wrap(v_mul_wrap(sums, factors), v_setall_u16(6));
+    return v_reinterpret_as_s16(v_mul_hi(rounded, v_setall_u16(5462)));
+}
+
+static inline v_int16x8 divideByFour(const v_uint16x8& sums)
+{
+    return v_reinterpret_as_s16(v_shr<2>(v_add_wrap(sums, v_setall_u16(2))));
 }
 
 //! Means of blocks of 2x2 pixels, 4 blocks at a time.
 static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
-    v_uint32x4 a, b, c, d; // the pixels of a block
-    v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), a, b);
-    v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), c, d);
-    const Halves ha(v_reinterpret_as_u8(a)), hb(v_reinterpret_as_u8(b));
-    const Halves hc(v_reinterpret_as_u8(c)), hd(v_reinterpret_as_u8(d));
-    const v_uint8x16 means = v_pack_u(v_reinterpret_as_s16(quarter(ha.low, hb.low, hc.low, hd.low)),
-                                      v_reinterpret_as_s16(quarter(ha.high, hb.high, hc.high, hd.high)));
+    v_uint32x4 first, second, third, fourth;
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), first, second);
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), third, fourth);
+    const v_uint8x16 a = v_reinterpret_as_u8(first), b = v_reinterpret_as_u8(second);
+    const v_uint8x16 c = v_reinterpret_as_u8(third), d = v_reinterpret_as_u8(fourth);
+    const Halves ha(a), hb(b), hc(c), hd(d);
+    const v_uint16x8 low = v_add_wrap(v_add_wrap(ha.low, hb.low), v_add_wrap(hc.low, hd.low));
+    const v_uint16x8 high = v_add_wrap(v_add_wrap(ha.high, hb.high), v_add_wrap(hc.high, hd.high));
     if (!with_depth)
-        return v_store(to->color, means);
-    const v_uint32x4 depth = v_reinterpret_as_u32(meanDepth(depthOf(a), depthOf(b), depthOf(c), depthOf(d)));
-    const v_uint32x4 colors = v_shr<8>(v_shl<8>(v_reinterpret_as_u32(means)));
-    v_store(to->color, v_add_wrap(v_reinterpret_as_u8(colors), v_reinterpret_as_u8(v_shl<24>(depth))));
+        return v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
+    const Halves factors(twelfths(a, b, c, d));
+    v_store(to->color, v_pack_u(divideByTwelve(low, factors.low), divideByTwelve(high, factors.high)));
 }
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
@@ -173,35 +173,52 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
     }
 }
 
-//! Adds up the normals of each column. Behind the last one is an empty one.
-static void addColumns(const Mat& normals, const Range& rows, std::vector<int>& words)
+enum { NORMALS_AT_ONCE = 4 };
+
+//! Adds up the normals of each column.
+static void addColumns(const Mat& normals, const Range& rows, int* sums)
 {
-    words.assign(normals.cols + 1, 0);
-    int* sums = words.data();
-    for (int y = rows.start; y < rows.end; y++)
+    for (int x = 0; x < normals.cols; x += NORMALS_AT_ONCE)
     {
-        const Normal* row = normals.ptr<Normal>(y);
-        for (int x = 0; x < normals.cols; x++)
-            sums[x] += NormalSum::of(row[x]);
+        v_int32x4 sum = v_setzero_s32();
+        for (int y = rows.start; y < rows.end; y++)
+            sum = add(sum, NormalSum::of(normals.ptr<Normal>(y) + x));
+        v_store(sums + x, sum);
+    }
+}
+
+//! Adds up pairs of columns, those that blocks of a side touch.
+static void addPairs(const int* columns, int side, int count, int* sums)
+{
+    if (side != 4)
+    {
+        for (int x = 0; x < count; x++)
+            sums[x] = columns[x * side / 2] + columns[x * side / 2 + 1];
+        return;
+    }
+    for (int x = 0; x < count; x += NORMALS_AT_ONCE)
+    {
+        v_int32x4 first, second;
+        v_load_deinterleave(columns + 2 * x, first, second);
+        v_store(sums + x, add(first, second));
     }
 }
 
 //! Normals of blocks of 3x3 or 4x4 pixels, from those of blocks of 2x2: means of what is known of those they touch,
-//! which are two in each row and column.
+//! which are two in each row and column. Rows of both end with some that are not known, up to a whole stride.
 static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
 {
-    united.create(size, CV_8UC2);
+    united.create(size.height, int(alignSize(size.width, NORMALS_AT_ONCE)), CV_8UC2);
     parallel_for_(Range(0, size.height), [&](const Range& rows)
     {
-        std::vector<int> words, sums(size.width);
+        std::vector<int> columns(normals.cols + 1), sums(united.cols);
         for (int y = rows.start; y < rows.end; y++)
         {
-            addColumns(normals, Range(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows)), words);
-            for (int x = 0; x < size.width; x++)
-                sums[x] = words[x * side / 2] + words[x * side / 2 + 1];
-            Normal* to = united.ptr<Normal>(y);
-            for (int x = 0; x < size.width; x++)
-                to[x] = NormalSum::mean(sums[x]);
+            const Range own(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows));
+            addColumns(normals, own, columns.data());
+            addPairs(columns.data(), side, size.width, sums.data());
+            for (int x = 0; x < size.width; x += NORMALS_AT_ONCE)
+                NormalSum::mean(v_load(&sums[x]), united.ptr<Normal>(y) + x);
         }
     });
 }

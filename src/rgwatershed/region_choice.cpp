@@ -37,7 +37,9 @@ template <RegionChoice::Content CONTENT, typename RegionOf>
 void RegionChoice::measure(const int* pixels, int n, int y, const RegionOf& regionOf, int* squares) const
 {
     const Normal* row_normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
-    const int first = map_.index(Point(0, y));
+    const ptrdiff_t first = map_.index(Point(0, y));
+    const int normal_shift = map_.normal_shift;
+    const RegionDistance distance = distance_; // a copy of its own does not change when squares are written
     for (int i = 0; i < n; i += 4)
     {
         const Feature* features[4];
@@ -46,20 +48,18 @@ void RegionChoice::measure(const int* pixels, int n, int y, const RegionOf& regi
         const Normal* normals[4] = {};
         for (int k = 0; k < 4; k++)
         {
-            // What is behind the last pixel may be of another row, and has no normal in this one.
-            const int pixel = pixels[CONTENT == SURFACE ? std::min(i + k, n - 1) : i + k];
-            const int region = regionOf(pixel);
+            const ptrdiff_t pixel = pixels[i + k], region = regionOf(int(pixel));
             features[k] = features_ + pixel;
             means[k] = means_ + region;
             if (CONTENT >= PLANE)
                 surfaces[k] = surfaces_ + region;
             if (CONTENT == SURFACE)
-                normals[k] = row_normals + ((pixel - first) >> map_.normal_shift);
+                normals[k] = row_normals + ((pixel - first) >> normal_shift);
         }
-        const v_int32x4 x = subtract(v_load(pixels + i), v_setall_s32(first));
+        const v_int32x4 x = subtract(v_load(pixels + i), v_setall_s32(int(first)));
         v_store(squares + i, CONTENT >= PLANE
-            ? distance_.squared<CONTENT == SURFACE>(features, normals, means, surfaces, x, y)
-            : distance_.squared<CONTENT == DEPTH>(features, means));
+            ? distance.squared<CONTENT == SURFACE>(features, normals, means, surfaces, x, y)
+            : distance.squared<CONTENT == DEPTH>(features, means));
     }
 }
 
@@ -78,6 +78,12 @@ int RegionChoice::squaredDistance(int pixel, int y, int region) const
 template <RegionChoice::Content CONTENT>
 void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
 {
+    if (CONTENT == SURFACE) // pixels behind the last one may be of another row, and have no normal in this one
+    {
+        std::copy_n(pixels, n, open.indices);
+        std::fill_n(open.indices + n, 3, pixels[0]);
+        pixels = open.indices;
+    }
     measure<CONTENT>(pixels, n, y, [&](int pixel) { return labels_[pixel]; }, open.first);
     int count = 0;
     for (int i = 0; i < n; i++)

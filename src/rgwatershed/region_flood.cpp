@@ -125,7 +125,7 @@ public:
     void run(const Point* first_seed, const Point* end_seed)
     {
         for (const Point* seed = first_seed; seed != end_seed; seed++)
-            spread(labels_.index(*seed));
+            spread(labels_.index(*seed), *seed);
         while (queues_.take(batch_))
             for (size_t i = 0; i < batch_.size(); i++)
             {
@@ -134,11 +134,12 @@ public:
                 if (waiting == CLOSED)
                     continue; // it was taken out at a lower priority before
                 waiting = CLOSED;
+                const Point p = labels_.point(block);
                 if (WITH_DEPTH)
-                    regions_[labels_.data()[block]].add(features_[block], labels_.point(block));
+                    regions_[labels_.data()[block]].add(features_[block], p);
                 else
                     regions_[labels_.data()[block]].add(features_[block]);
-                spread(block);
+                spread(block, p);
             }
     }
 
@@ -160,16 +161,15 @@ private:
         return std::min(std::max(region.sum.area - usual_area_, 0), MOST / LEVELS_PER_BLOCK) * LEVELS_PER_BLOCK;
     }
 
-    //! Offers the neighbours of a block to its region, where none offers as much.
-    void spread(int block)
+    //! Offers the neighbours of a block at p to its region, where none offers as much.
+    void spread(int block, Point p)
     {
         const int label = labels_.data()[block];
         const FloodRegion& region = regions_[label];
         short* waiting = &waiting_[block - first_];
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
         const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
-                                                                  bitsOf(block + 1), bitsOf(block + step_)), region,
-                                                       labels_.point(block),
+                                                                  bitsOf(block + 1), bitsOf(block + step_)), region, p,
                                                        excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
@@ -211,16 +211,41 @@ static void floodRows(const Padded<Feature>& features, const RegionDistance& dis
             .run(first_seed, end_seed);
 }
 
-//! Of depth, by the normal at a place.
-static Point slopeAt(const FeatureMap& features, Point p)
+//! Slopes of depth by the normals at the places of some markers, where flooding begins.
+static void findSlopes(const FeatureMap& features, const Point* markers, int n, FloodRegion* regions)
 {
-    const Feature& feature = features.row(p.y)[p.x];
-    if (feature.depth == 0)
-        return Point();
-    SurfaceSum sum = SurfaceSum();
-    sum.add(feature, features.normalAt(p), p);
-    const SurfaceMean mean = sum.mean(STEPS_PER_LEVEL * feature.depth, 1, features.camera);
-    return Point(mean.slope_x, mean.slope_y);
+    const SurfaceSolver solver(features.camera);
+    for (int first = 0; first < n; first += 4)
+    {
+        SurfaceSum sums[4] = {};
+        SurfaceSolver::Source sources[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const Point p = markers[std::min(first + k, n - 1)];
+            const Feature& feature = features.row(p.y)[p.x];
+            sums[k].add(feature, features.normalAt(p), p);
+            const SurfaceSolver::Source source = { &sums[k], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
+            sources[k] = source;
+        }
+        SurfaceMean means[4];
+        solver.solve(sources, means);
+        for (int k = 0; k < std::min(n - first, 4); k++)
+            regions[first + k].slope = Point(means[k].slope_x, means[k].slope_y);
+    }
+}
+
+//! Adds up the surfaces of regions over some rows that hold no part of what others add up.
+static void addSurfaces(const FeatureMap& features, const Padded<int>& labels, const Range& rows, SurfaceSum* sums)
+{
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int *row = labels.row(y), width = labels.size().width, shift = features.normal_shift;
+        const Feature* elements = features.row(y);
+        const Normal* normals = features.normalsOfRow(y);
+        for (int x = 0; x < width; x++)
+            if (row[x] >= 0)
+                sums[row[x]].add(elements[x], normals[x >> shift], Point(x, y));
+    }
 }
 
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
@@ -231,8 +256,9 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
 {
     CV_TRACE_FUNCTION();
     const int first = regions.size();
-    regions.update();
     regions.resize(first + int(markers.size()));
+    if (features.withNormals())
+        regions.surfaces.start(features.camera, regions.size());
     buffers.regions.resize(regions.size());
     buffers.bands.resize(bands.size());
     parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
@@ -246,21 +272,21 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 labels.data()[seed] = first + m;
                 const Point middle = middles.empty() ? 2 * markers[m] : middles[m];
                 buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m], middle);
-                if (features.withNormals())
-                    buffers.regions[first + m].slope = slopeAt(features, markers[m]);
                 buffers.regions[first + m].add(features.data()[seed]);
             }
+            if (features.withNormals())
+                findSlopes(features, markers.data() + own.start, own.size(),
+                           buffers.regions.data() + first + own.start);
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
                       markers.data() + own.end, buffers, buffers.bands[i], labels);
             for (int m = own.start; m < own.end; m++)
-            {
                 regions.sums[first + m] = buffers.regions[first + m].sum;
-                regions.update(first + m);
-            }
+            if (features.withNormals())
+                addSurfaces(features, labels, bands[i].rows, regions.surfaces.sums.data());
+            regions.update(Range(first + own.start, first + own.end));
         }
     });
-    if (features.withNormals())
-        measureSurfaces(features, labels.view(), regions);
+    regions.update(Range(0, first));
 }
 
 void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,

@@ -7,6 +7,7 @@
 
 #include "shared/camera.hpp"
 #include "shared/padded.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -38,15 +39,30 @@ struct NormalSum
 {
     enum { Y_SHIFT = 12, COUNT_SHIFT = 24, PART = (1 << 12) - 1 };
 
-    static int of(const Normal& n) { return n.x + (n.y << Y_SHIFT) + (n.known() << COUNT_SHIFT); }
-
-    //! The mean of those that are known.
-    static Normal mean(int sum)
+    //! Of the four normals that begin at one.
+    static v_int32x4 of(const Normal* n)
     {
-        const float count = float(std::max(sum >> COUNT_SHIFT, 1));
-        const Normal mean = { uchar(int(0.5f + float(sum & PART) / count)),
-                              uchar(int(0.5f + float(sum >> Y_SHIFT & PART) / count)) };
-        return mean;
+        const v_uint32x4 words = v_load_expand(reinterpret_cast<const ushort*>(n)), first = v_setall_u32(1);
+        const v_uint8x16 known = v_min(v_reinterpret_as_u8(words), v_reinterpret_as_u8(first));
+        const v_uint32x4 x = bitAnd(words, v_setall_u32(255)), y = v_shl<Y_SHIFT>(v_shr<8>(words));
+        const v_uint32x4 counts = v_shl<COUNT_SHIFT>(v_reinterpret_as_u32(known));
+        return v_reinterpret_as_s32(add(add(x, y), counts));
+    }
+
+    //! The means of those that are known, of four sums.
+    static void mean(const v_int32x4& sums, Normal* to)
+    {
+        const v_float32x4 counts = v_max(v_cvt_f32(v_shr<COUNT_SHIFT>(sums)), v_setall_f32(1));
+        const v_int32x4 part = v_setall_s32(PART);
+        const v_int32x4 x = divide(bitAnd(sums, part), counts), y = divide(bitAnd(v_shr<Y_SHIFT>(sums), part), counts);
+        const v_int32x4 pairs = v_shr<16>(add(v_shl<16>(x), v_shl<24>(y))); // as signed numbers
+        v_store_low(reinterpret_cast<short*>(to), v_pack(pairs, pairs));
+    }
+
+private:
+    static v_int32x4 divide(const v_int32x4& sums, const v_float32x4& counts)
+    {
+        return v_trunc(add(v_setall_f32(0.5f), gws::divide(v_cvt_f32(sums), counts)));
     }
 };
 

@@ -315,11 +315,7 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
 void SimilarMerger::unite(bool one_sided)
 {
     const int AT_LEAST = 512, count = int(b_.chosen.size());
-    const auto work = [&](const Range& range)
-    {
-        for (int i = range.start; i < range.end; i++)
-            unite(b_.chosen[i]);
-    };
+    const auto work = [&](const Range& range) { unite(range); };
     if (one_sided || count < AT_LEAST)
         work(Range(0, count));
     else
@@ -327,14 +323,24 @@ void SimilarMerger::unite(bool one_sided)
     num_left_ -= count;
 }
 
-void SimilarMerger::unite(const MergePair& pair)
+//! Some of the chosen pairs. Means are taken anew together, because that is done for four regions at once.
+void SimilarMerger::unite(const Range& pairs)
 {
-    regions_.unite(pair.from, pair.to);
-    if (!b_.textures.empty())
-        b_.textures[pair.to].add(b_.textures[pair.from]);
-    b_.records[pair.to] = describe(pair.to);
-    b_.parents[pair.from] = pair.to;
-    b_.changed[pair.to] = 1;
+    std::vector<int> numbers;
+    numbers.reserve(pairs.size());
+    for (int i = pairs.start; i < pairs.end; i++)
+    {
+        const int from = b_.chosen[i].from, to = b_.chosen[i].to;
+        regions_.unite(from, to);
+        if (!b_.textures.empty())
+            b_.textures[to].add(b_.textures[from]);
+        b_.parents[from] = to;
+        b_.changed[to] = 1;
+        numbers.push_back(to);
+    }
+    regions_.update(numbers);
+    for (size_t i = 0; i < numbers.size(); i++)
+        b_.records[numbers[i]] = describe(numbers[i]);
 }
 
 }}} // namespace

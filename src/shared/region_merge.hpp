@@ -75,7 +75,7 @@ private:
     void choose(size_t count);
     void chooseOneSided(double share, size_t most);
     void unite(bool one_sided);
-    void unite(const MergePair& pair);
+    void unite(const Range& pairs);
 
     const RegionDistance distance_;
     const MergeRules rules_;

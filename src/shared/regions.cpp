@@ -50,7 +50,42 @@ void Regions::unite(int from, int to)
     sums[to].add(sums[from]);
     if (surfaces.present)
         surfaces.sums[to].add(surfaces.sums[from]);
-    update(to);
+}
+
+//! Of those that numberOf(0), ... name.
+template <typename NumberOf> void Regions::updateSurfaces(int count, const NumberOf& numberOf)
+{
+    const SurfaceSolver solver(surfaces.camera);
+    for (int first = 0; first < count; first += 4)
+    {
+        SurfaceSolver::Source sources[4];
+        SurfaceMean found[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const int i = numberOf(std::min(first + k, count - 1));
+            const SurfaceSolver::Source source = { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
+            sources[k] = source;
+        }
+        solver.solve(sources, found);
+        for (int k = 0; k < std::min(count - first, 4); k++)
+            surfaces.means[numberOf(first + k)] = found[k];
+    }
+}
+
+void Regions::update(const Range& range)
+{
+    for (int i = range.start; i < range.end; i++)
+        means[i] = sums[i].mean();
+    if (surfaces.present)
+        updateSurfaces(range.size(), [&](int i) { return range.start + i; });
+}
+
+void Regions::update(const std::vector<int>& numbers)
+{
+    for (size_t i = 0; i < numbers.size(); i++)
+        means[numbers[i]] = sums[numbers[i]].mean();
+    if (surfaces.present)
+        updateSurfaces(int(numbers.size()), [&](int i) { return numbers[i]; });
 }
 
 }}} // namespace

@@ -119,19 +119,15 @@ struct Regions
     void divideBlocks(int side);
     //! Copies a region to another number.
     void copy(int from, int to);
-    //! Adds the pixels of a region to those of another one.
+    //! Adds the pixels of a region to those of another one, whose means stay as they are.
     void unite(int from, int to);
-    void update(int i)
-    {
-        means[i] = sums[i].mean();
-        if (surfaces.present)
-            surfaces.means[i] = surfaces.sums[i].mean(means[i].depth, sums[i].depth_area, surfaces.camera);
-    }
-    void update()
-    {
-        for (int i = 0; i < size(); i++)
-            update(i);
-    }
+    //! Takes the means of some regions anew.
+    void update(const std::vector<int>& numbers);
+    void update(const Range& range);
+    void update() { update(Range(0, size())); }
+
+private:
+    template <typename NumberOf> void updateSurfaces(int count, const NumberOf& numberOf);
 };
 
 }}} // namespace

@@ -34,55 +34,111 @@ void SurfaceSum::divideBlocks(int side, int depth_area)
     y = elements * side * y + middle;
 }
 
-static int64 divide(int64 sum, int count)
-{
-    return (sum + count / 2) / count;
-}
-
 static const int RAY = 4096; // the unit of rays
 
-//! Where the ray of a place goes, for a step forward of RAY.
-static int rayOf(int center, float axis, float focal)
+//! Quotients of sums in 1/`unit`, rounded.
+static v_int32x4 divide(const v_float32x4& sums, const v_float32x4& counts, int unit)
 {
-    const float WIDEST = 2 * RAY;
-    const float away = float(center - cvRound(float(SurfaceMean::CENTER_UNIT) * axis)) / focal;
-    return int(std::min(std::max(away * float(RAY) / float(SurfaceMean::CENTER_UNIT), -WIDEST), WIDEST));
+    const v_float32x4 quotients = divide(multiply(sums, v_setall_f32(float(unit))), counts);
+    return v_trunc(add(quotients, v_setall_f32(0.5f)));
 }
 
-static short slopeOf(int normal, float scale, float focal)
+//! Pairs of 16 bits, of numbers that fit into these.
+static v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
 {
-    const float STEEPEST = 1 << 14;
-    return short(std::min(std::max(float(normal) * scale / focal, -STEEPEST), STEEPEST));
+    v_int16x8 pairs, rest;
+    v_zip(v_pack(lower, lower), v_pack(upper, upper), pairs, rest);
+    return pairs;
 }
+
+SurfaceSolver::SurfaceSolver(const Camera& camera)
+    : horizon_(cvRound(STEPS_PER_LEVEL * camera.horizon)),
+      axis_x_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.x)),
+      axis_y_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.y)),
+      per_focal_(1 / camera.focal.x, 1 / camera.focal.y)
+{
+}
+
+//! Where the rays of places go, for a step forward of RAY.
+static v_int32x4 raysOf(const v_int32x4& centers, int axis, float per_focal)
+{
+    const v_float32x4 widest = v_setall_f32(2 * RAY);
+    const v_float32x4 scale = v_setall_f32(per_focal * float(RAY) / float(SurfaceMean::CENTER_UNIT));
+    const v_float32x4 rays = multiply(v_cvt_f32(subtract(centers, v_setall_s32(axis))), scale);
+    return v_trunc(v_max(v_min(rays, widest), v_setall_f32(-2 * RAY)));
+}
+
+static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, float per_focal)
+{
+    const v_float32x4 steepest = v_setall_f32(1 << 14);
+    const v_float32x4 slopes = multiply(multiply(v_cvt_f32(normals), scales), v_setall_f32(per_focal));
+    return v_trunc(v_max(v_min(slopes, steepest), v_setall_f32(-(1 << 14))));
+}
+
+//! All bits where a number is above 0.
+static v_int32x4 isPositive(const v_int32x4& a) { return v_shr<31>(subtract(v_setzero_s32(), a)); }
+
+//! What is known of four surfaces before they are solved.
+struct FourSurfaceSums
+{
+    explicit FourSurfaceSums(const SurfaceSolver::Source* s)
+        : depths(s[0].depth, s[1].depth, s[2].depth, s[3].depth)
+    {
+        const SurfaceSum &a = *s[0].sum, &b = *s[1].sum, &c = *s[2].sum, &d = *s[3].sum;
+        const v_int32x4 depth_areas(s[0].depth_area, s[1].depth_area, s[2].depth_area, s[3].depth_area);
+        const v_int32x4 normal_areas(a.normal_area, b.normal_area, c.normal_area, d.normal_area);
+        const v_float32x4 one = v_setall_f32(1);
+        const v_float32x4 places = v_max(v_cvt_f32(depth_areas), one), normals = v_max(v_cvt_f32(normal_areas), one);
+        const v_float32x4 x_sums(float(a.x), float(b.x), float(c.x), float(d.x));
+        const v_float32x4 y_sums(float(a.y), float(b.y), float(c.y), float(d.y));
+        const v_float32x4 nx_sums(float(a.normal_x), float(b.normal_x), float(c.normal_x), float(d.normal_x));
+        const v_float32x4 ny_sums(float(a.normal_y), float(b.normal_y), float(c.normal_y), float(d.normal_y));
+        center_x = divide(x_sums, places, SurfaceMean::CENTER_UNIT);
+        center_y = divide(y_sums, places, SurfaceMean::CENTER_UNIT);
+        x = divide(nx_sums, normals, STEPS_PER_LEVEL);
+        y = divide(ny_sums, normals, STEPS_PER_LEVEL);
+        known = bitAnd(isPositive(depth_areas), isPositive(normal_areas));
+    }
+
+    v_int32x4 depths, center_x, center_y;
+    v_int32x4 x, y;  // of normals
+    v_int32x4 known; // all bits where there is a normal
+};
 
 //! With the normal (nx, ny, nz) and the ray (x, y, 1) of the centre, nearness above the horizon grows by
 //! nx / (nx x + ny y + nz) of it over one focal length to the right.
 //! @note Sums are of integers, and floats are only multiplied and divided, so that all processors agree.
-SurfaceMean SurfaceSum::mean(int depth, int depth_area, const Camera& camera) const
+void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
 {
-    SurfaceMean mean = SurfaceMean();
-    if (depth_area == 0)
-        return mean;
-    mean.center.x = int(divide(SurfaceMean::CENTER_UNIT * x, depth_area));
-    mean.center.y = int(divide(SurfaceMean::CENTER_UNIT * y, depth_area));
-    mean.setDepth(depth);
-    if (normal_area == 0)
-        return mean;
-    mean.x = short(divide(STEPS_PER_LEVEL * normal_x, normal_area));
-    mean.y = short(divide(STEPS_PER_LEVEL * normal_y, normal_area));
+    const FourSurfaceSums sums(sources);
+    const int ONE = STEPS_PER_LEVEL * Normal::ONE;
+    const v_int32x4 zero = v_setall_s32(STEPS_PER_LEVEL * Normal::ZERO);
+    const v_int32x4 nx = subtract(sums.x, zero), ny = subtract(sums.y, zero);
+    const v_int16x8 across = makePairs(nx, ny), rays = makePairs(raysOf(sums.center_x, axis_x_, per_focal_.x),
+                                                                 raysOf(sums.center_y, axis_y_, per_focal_.y));
+    const v_float32x4 forward = v_cvt_f32(subtract(v_setall_s32(ONE * ONE), v_dotprod(across, across)));
+    const v_int32x4 nz = v_trunc(v_sqrt(v_max(forward, v_setzero_f32())));
+    const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<12>(nz)));
+    const float LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
+    const v_float32x4 above_horizon = v_cvt_f32(subtract(sums.depths, v_setall_s32(horizon_)));
+    const v_float32x4 scales = multiply(divide(above_horizon, v_max(facing, v_setall_f32(LEAST_FACING))),
+                                        v_setall_f32(SurfaceMean::PLANE_UNIT * RAY));
+    const v_int16x8 slopes = makePairs(slopesOf(nx, scales, per_focal_.x), slopesOf(ny, scales, per_focal_.y));
 
-    const int ZERO = STEPS_PER_LEVEL * Normal::ZERO, ONE = STEPS_PER_LEVEL * Normal::ONE;
-    const int nx = mean.x - ZERO, ny = mean.y - ZERO;
-    const int nz = int(std::sqrt(float(std::max(ONE * ONE - nx * nx - ny * ny, 0))));
-    const int facing = nx * rayOf(mean.center.x, camera.center.x, camera.focal.x) +
-                       ny * rayOf(mean.center.y, camera.center.y, camera.focal.y) + nz * RAY;
-    const int LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
-    const int above_horizon = depth - cvRound(STEPS_PER_LEVEL * camera.horizon);
-    const float scale = float(above_horizon) / float(std::max(facing, LEAST_FACING)) * (SurfaceMean::PLANE_UNIT * RAY);
-    mean.slope_x = slopeOf(nx, scale, camera.focal.x);
-    mean.slope_y = slopeOf(ny, scale, camera.focal.y);
-    mean.setDepth(depth);
-    return mean;
+    v_int32x4 columns[4], rows[4]; // of each surface: normal, slopes and centre
+    columns[0] = bitAnd(v_reinterpret_as_s32(makePairs(sums.x, sums.y)), sums.known);
+    columns[1] = bitAnd(v_reinterpret_as_s32(slopes), sums.known);
+    columns[2] = sums.center_x;
+    columns[3] = sums.center_y;
+    v_transpose4x4(columns[0], columns[1], columns[2], columns[3], rows[0], rows[1], rows[2], rows[3]);
+    for (int k = 0; k < 4; k++)
+    {
+        int words[4];
+        v_store(words, rows[k]);
+        memcpy(static_cast<void*>(means + k), words, 2 * sizeof(int)); // up to the slopes
+        means[k].center = Point(words[2], words[3]);
+        means[k].setDepth(sources[k].depth);
+    }
 }
 
 }}} // namespace

@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_SURFACES_HPP
 
 #include "shared/features.hpp"
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -34,13 +35,6 @@ struct SurfaceMean
 
     //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
     int depthAt(int at_x, int at_y) const { return limit((base + slope_x * at_x + slope_y * at_y) >> 6); }
-
-    //! The same at the centre of another region.
-    int depthAtCenter(Point other) const
-    {
-        const int64 rise = int64(slope_x) * other.x + int64(slope_y) * other.y;
-        return limit((base + int(rise / CENTER_UNIT)) >> 6);
-    }
 
     static int limit(int depth) { return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL); }
 };
@@ -77,8 +71,27 @@ struct SurfaceSum
     //! From blocks to the side x side elements in each. depth_area is that of the blocks.
     void divideBlocks(int side, int depth_area);
 
-    //! depth is the mean of the pixels that have it, in steps.
-    SurfaceMean mean(int depth, int depth_area, const Camera& camera) const;
+};
+
+//! Finds the means of surfaces from their sums, four at once.
+class SurfaceSolver
+{
+public:
+    explicit SurfaceSolver(const Camera& camera);
+
+    //! What a surface is found from. depth is the mean of the pixels that have it, in steps.
+    struct Source
+    {
+        const SurfaceSum* sum;
+        int depth, depth_area;
+    };
+
+    void solve(const Source* sources, SurfaceMean* means) const;
+
+private:
+    const int horizon_;         // in steps
+    const int axis_x_, axis_y_; // where the optical axis is, as centres are
+    const Point2f per_focal_;   // one over the focal length
 };
 
 //! The surfaces of regions, if there are normals.

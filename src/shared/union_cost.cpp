@@ -12,51 +12,6 @@ enum { NOISE_IN_CELL = 24 };
 
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
-//! Of weighted means, in 1/256 of a squared level.
-static inline int squaredDistance(const short* a, const short* b)
-{
-    const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
-    return d0 * d0 + d1 * d1 + d2 * d2;
-}
-
-//! The same with depth, which some may not have, with the weights of the flood.
-static int squaredDistance(const RegionDistance& distance, const short* a, const short* b)
-{
-    const int sum = squaredDistance(a, b);
-    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
-        return sum;
-    const int depth = (distance.depth_share * (a[3] - b[3])) >> 8;
-    return int((int64(sum) * distance.color_share * distance.color_share) >> 16) + depth * depth;
-}
-
-//! How far the centre of a region is from the plane of another one, in depth.
-static int depthBetween(const SurfaceMean& plane, const SurfaceMean& other, int other_depth)
-{
-    return std::abs(plane.depthAtCenter(other.center) - other_depth);
-}
-
-//! The same with surfaces. Of the two planes the one counts that holds the other region better: that of a small region
-//! may be wrong.
-static int squaredDistance(const RegionDistance& distance, const short* a, const short* b, const SurfaceMean& surface_a,
-                           const SurfaceMean& surface_b)
-{
-    if (a[3] == RegionMean::NO_DEPTH || b[3] == RegionMean::NO_DEPTH)
-        return squaredDistance(a, b);
-    const int step = std::min(depthBetween(surface_a, surface_b, b[3]), depthBetween(surface_b, surface_a, a[3]));
-    const int depth = (distance.depth_share * step) >> 8;
-    const int share = surface_a.known() && surface_b.known() ? distance.normal_share : 0;
-    const int x = (share * (surface_a.x - surface_b.x)) >> 8, y = (share * (surface_a.y - surface_b.y)) >> 8;
-    const int color = int((int64(squaredDistance(a, b)) * distance.color_share * distance.color_share) >> 16);
-    return color + depth * depth + x * x + y * y;
-}
-
-int UnionCost::distanceWithDepth(const MergeRegion& a, const MergeRegion& b) const
-{
-    return distance_.with_surfaces
-            ? squaredDistance(distance_, a.mean, b.mean, surfaces_[a.index], surfaces_[b.index])
-            : squaredDistance(distance_, a.mean, b.mean);
-}
-
 //! The words of four records: one vector for each.
 struct FourRegions
 {
@@ -109,26 +64,97 @@ static inline v_int32x4 weigh(const v_int32x4& a, const v_int32x4& b, const v_in
     return v_dotprod(makePairs(a, b), exponents, sum);
 }
 
+//! The surfaces of four regions.
+struct FourSurfaces
+{
+    FourSurfaces(const SurfaceMean* surfaces, const MergeRegion* const* regions)
+    {
+        v_int32x4 words[4], base;
+        int y[4];
+        for (int k = 0; k < 4; k++)
+        {
+            const SurfaceMean& surface = surfaces[regions[k]->index];
+            words[k] = v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&surface))); // up to x of the centre
+            y[k] = surface.center.y;
+        }
+        v_transpose4x4(words[0], words[1], words[2], words[3], normals, slopes, base, center_x);
+        center_y = v_load(y);
+    }
+
+    v_int32x4 normals, slopes; // pairs of 16 bits
+    v_int32x4 center_x, center_y;
+};
+
+//! How far centres are from planes of others, in depth. Of two planes the one counts that holds the other region
+//! better: that of a small region may be wrong.
+static v_int32x4 depthBetween(const FourSurfaces& a, const FourSurfaces& b, const v_int32x4& depth_a,
+                              const v_int32x4& depth_b)
+{
+    const v_int32x4 x = subtract(b.center_x, a.center_x), y = subtract(b.center_y, a.center_y);
+    v_int16x8 away, rest; // farther than 2047 elements is as far as that
+    v_zip(v_pack(x, x), v_pack(y, y), away, rest);
+    // In 1 / (PLANE_UNIT * CENTER_UNIT): the rise of a to b, the fall of b to a.
+    const v_int32x4 rise = v_shr<10>(v_dotprod(v_reinterpret_as_s16(a.slopes), away));
+    const v_int32x4 fall = v_shr<10>(v_dotprod(v_reinterpret_as_s16(b.slopes), away));
+    const v_int16x8 depths = v_pack(add(depth_a, rise), subtract(depth_b, fall));
+    const v_int16x8 lowest = v_setall_s16(STEPS_PER_LEVEL), highest = v_setall_s16(255 * STEPS_PER_LEVEL);
+    const v_uint16x8 steps = v_absdiff(v_min(v_max(depths, lowest), highest), v_pack(depth_b, depth_a));
+    v_uint32x4 nearest, others;
+    v_expand(v_min(steps, v_extract<4>(steps, steps)), nearest, others);
+    return v_reinterpret_as_s32(nearest);
+}
+
+//! The squared differences of normals with a weight, where both are known.
+static v_int32x4 squaredTurn(const v_int32x4& a, const v_int32x4& b, int share)
+{
+    const v_int16x8 first = v_reinterpret_as_s16(a), second = v_reinterpret_as_s16(b);
+    const v_int16x8 known = v_sub_wrap(v_setzero_s16(), v_min(v_min(first, second), v_setall_s16(1)));
+    const v_int16x8 turn = bitAnd(v_sub_wrap(first, second), known);
+    const v_int32x4 x = v_dotprod(turn, makePairs(share, 0)), y = v_dotprod(turn, makePairs(0, share));
+    const v_int16x8 weighted = makePairs(v_shr<8>(x), v_shr<8>(y));
+    return v_dotprod(weighted, weighted);
+}
+
+//! From squared distances of colours those with depth, which some may not have, and surfaces, with the weights of the
+//! flood. In 1/256 of a squared level.
+v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
+                              const MergeRegion* const* first, const MergeRegion* const* second) const
+{
+    const v_int32x4 depth_a = v_shr<16>(a.last_mean), depth_b = v_shr<16>(b.last_mean);
+    const float share = float(distance_.color_share) / FULL_WEIGHT;
+    v_int32x4 sum = v_trunc(multiply(v_cvt_f32(of_colors), v_setall_f32(share * share))), step;
+    if (distance_.with_surfaces)
+    {
+        const FourSurfaces surface_a(surfaces_, first), surface_b(surfaces_, second);
+        step = depthBetween(surface_a, surface_b, depth_a, depth_b);
+        sum = add(sum, squaredTurn(surface_a.normals, surface_b.normals, distance_.normal_share));
+    }
+    else
+        step = v_reinterpret_as_s32(v_absdiff(depth_a, depth_b));
+    const v_int32x4 depth = v_shr<8>(v_dotprod(lowerHalves(step), makePairs(distance_.depth_share, 0)));
+    sum = v_dotprod(lowerHalves(depth), lowerHalves(depth), sum);
+    const v_int32x4 missing = v_shr<31>(v_min(depth_a, depth_b)); // all bits
+    return add(sum, bitAnd(subtract(of_colors, sum), missing));
+}
+
 //! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
 void UnionCost::findFour(MergeEdge* edges) const
 {
     const MergeRegion *first[4], *second[4];
-    int distances[4], costs[4];
+    int costs[4];
     float contrasts[4];
     for (int k = 0; k < 4; k++)
     {
         first[k] = records_ + edges[k].a;
         second[k] = records_ + edges[k].b;
         contrasts[k] = float(edges[k].contrast + STEPS_PER_LEVEL * int64(edges[k].length));
-        if (distance_.with_depth)
-            distances[k] = distanceWithDepth(*first[k], *second[k]);
     }
     const FourRegions a(first), b(second);
     const v_int16x8 differences = v_sub_wrap(v_reinterpret_as_s16(a.first_means), v_reinterpret_as_s16(b.first_means));
     const v_int16x8 last_differences = v_sub_wrap(lowerHalves(a.last_mean), lowerHalves(b.last_mean));
-    const v_int32x4 squared_distance = distance_.with_depth
-            ? v_load(distances)
-            : v_dotprod(differences, differences, v_dotprod(last_differences, last_differences));
+    v_int32x4 squared_distance = v_dotprod(differences, differences, v_dotprod(last_differences, last_differences));
+    if (distance_.with_depth)
+        squared_distance = addDepth(squared_distance, a, b, first, second);
     const v_int32x4 steps = v_reinterpret_as_s32(v_abs(differences)); // of two channels in a word
     const v_int32x4 last_steps = v_reinterpret_as_s32(v_abs(last_differences));
     const v_int16x8 textures = v_reinterpret_as_s16(a.textures), other_textures = v_reinterpret_as_s16(b.textures);

@@ -54,6 +54,8 @@ inline int logarithm(float value)
     return (bits.i >> 15) - (127 << 8);
 }
 
+struct FourRegions;
+
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
 //! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l
 //! its length, L the lightness of the means, m that of the union, C their distance in the two other channels, and a and
@@ -80,7 +82,8 @@ public:
 
 private:
     void findFour(MergeEdge* edges) const;
-    int distanceWithDepth(const MergeRegion& a, const MergeRegion& b) const;
+    v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
+                       const MergeRegion* const* first, const MergeRegion* const* second) const;
 
     const RegionDistance distance_;
     const MergeRegion* const records_;

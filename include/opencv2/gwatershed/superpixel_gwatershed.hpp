@@ -430,7 +430,11 @@ public:
     valid depths, or from their minimum to their maximum if these percentiles are equal. Percentiles are those of a
     sample if the frame is large. If a gap without depths takes seven eighths of that range, because a part of the
     frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
-    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0. */
+    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0.
+
+    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, its near end leaves out a
+    thousandth instead of a hundredth if the range becomes not much longer by that, and finer differences than 1/2500 of
+    the inverse depth of the near end are none. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
