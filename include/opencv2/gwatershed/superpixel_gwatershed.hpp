@@ -199,21 +199,19 @@ public:
     after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
     without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
 
-    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for boundary, colour,
-    texture and size:
+    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for colour, texture and more:
     @f[ (d^2 + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
         \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
         (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
         \max(1, (n_a + n_b) / u)^{32} @f]
-    d is the distance of the mean colours and depths (Euclidean), and c that of the two channels beside lightness (sum
-    of absolute differences); n the number of pixels, l the length of the common boundary in pixel edges, and h the
-    contrast of the boundary: the mean distance (sum of absolute differences) of the pixels on its two sides. L are the
-    mean lightnesses, and that of both together, from 0 to 255. Texture is t = x + y and r = (x + 0.5) / (y + 0.5): x
-    and y are the distances of pixels to those to their right and below them in the same superpixel of iterate(), added
-    up over every second row and divided by n. u is 2.9 times the mean number of pixels of the superpixels that are
-    left, whose number counts with all but its three highest bits cleared. The distances are in 8-bit levels of the
-    opponent space of RGWATERSHED, lightness times 7/16, or of the channels given after setLabInput(true); alpha weighs
-    depth. The terms of lightness count less beside depth, and not at all at an alpha of 0.5 or less.
+    d is the distance of the mean colours and depths (Euclidean; beside depth, its exponent is 0.88), c that of the two
+    channels beside lightness (sum of absolute differences); n are pixels, l the length of the common boundary in
+    pixel edges, h the mean distance (as for c) of the pixels on its two sides. L are the mean lightnesses, and that of
+    both together, 0 to 255. Texture is t = x + y, r = (x + 0.5) / (y + 0.5): x and y are the distances of pixels to
+    those to their right and below them in the same superpixel of iterate(), summed over every second row and divided
+    by n. u is 2.9 times the mean n of what is left, whose number counts with all but its three highest bits cleared.
+    Distances are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given
+    after setLabInput(true); alpha weighs depth. Terms of lightness count less beside it, not if alpha is below 0.5.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.
