@@ -119,7 +119,7 @@ void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
     const v_float32x4 forward = v_cvt_f32(subtract(v_setall_s32(ONE * ONE), v_dotprod(across, across)));
     const v_int32x4 nz = v_trunc(v_sqrt(v_max(forward, v_setzero_f32())));
     const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<12>(nz)));
-    const float LEAST_FACING = ONE * RAY / 16; // planes seen more edge-on than this are noise
+    const float LEAST_FACING = float(ONE * RAY) / 16; // planes seen more edge-on than this are noise
     const v_float32x4 above_horizon = v_cvt_f32(subtract(sums.depths, v_setall_s32(horizon_)));
     const v_float32x4 scales = multiply(divide(above_horizon, v_max(facing, v_setall_f32(LEAST_FACING))),
                                         v_setall_f32(SurfaceMean::PLANE_UNIT * RAY));

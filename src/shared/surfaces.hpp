@@ -70,7 +70,6 @@ struct SurfaceSum
 
     //! From blocks to the side x side elements in each. depth_area is that of the blocks.
     void divideBlocks(int side, int depth_area);
-
 };
 
 //! Finds the means of surfaces from their sums, four at once.
