@@ -66,7 +66,9 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(top), masks.components(top))
                              : frame.num_superpixels;
     markers_per_superpixel = markersPerSuperpixel(blocks / num_superpixels, side * side, effort);
-    sweeps_before_merging = sweepsBeforeMerging(markers_per_superpixel);
+    const BlockSweeps sweeps = sweepsOfBlocks(blocks / num_superpixels, markers_per_superpixel);
+    sweeps_before_merging = sweeps.before_merging;
+    sweeps_after_merging = sweeps.after_merging;
     depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
     merge_rules.on_surface = depth_adaptive;
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
@@ -78,7 +80,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
                                                          : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(effort.price_before_merging, side, ruler);
-    sweep.length_price = boundaryPrice(PRICE, side, ruler);
+    sweep.length_price = boundaryPrice(PRICE * sweeps.price, side, ruler);
 }
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const

@@ -40,7 +40,7 @@ struct Plan
     MergeRules merge_rules, pixel_merge_rules;
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
-    int sweeps_before_merging;
+    int sweeps_before_merging, sweeps_after_merging; //!< of the blocks that were flooded
 };
 
 }}} // namespace

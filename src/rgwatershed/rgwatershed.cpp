@@ -99,8 +99,11 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
     const FeatureMap& features = features_[plan.levels.top];
     Padded<int>& labels = labels_[plan.levels.top];
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
-    sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
-    sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
+    if (plan.sweeps_before_merging > 0)
+    {
+        sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
+        sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
+    }
     merge_buffers.textures.clear(); // not measured
     mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
@@ -128,7 +131,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     const int top = plan.levels.top;
     for (int level = top; level >= 0; level--)
     {
-        const int num_sweeps = level == top ? SWEEPS_AFTER_MERGING
+        const int num_sweeps = level == top ? plan.sweeps_after_merging
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "shared/region_merge.hpp"
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -145,7 +146,7 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
     if (one_sided)
         chooseOneSided(share, most);
     else
-        choose(std::min(most, size_t(std::ceil(share * double(countWelcome(num_pairs))))));
+        choose(std::min(most, size_t(std::ceil(share * double(countWelcome(num_pairs))))), most);
     if (in_order)
         std::sort(b_.chosen.begin(), b_.chosen.end());
     unite(one_sided);
@@ -235,10 +236,49 @@ size_t SimilarMerger::countWelcome(size_t num_pairs) const
     return num_kept < num_pairs ? num_pairs - num_kept : num_pairs;
 }
 
-//! The cheapest pairs, within 1/1024 of the range of costs; of those at the limit, the first ones.
-void SimilarMerger::choose(size_t count)
+//! Bins of equal width for costs from a lowest to a highest one.
+struct CostBins
 {
-    const int BINS = 1024;
+    CostBins(unsigned lowest_, unsigned highest) : lowest(lowest_), shift(0)
+    {
+        while ((highest - lowest) >> shift >= unsigned(COUNT))
+            shift++;
+    }
+
+    //! Dearer ones are beyond the last bin.
+    unsigned operator()(uint64 price) const { return (unsigned(price >> 32) - lowest) >> shift; }
+
+    enum { COUNT = 1024 };
+    const unsigned lowest;
+    int shift;
+};
+
+//! How many of the pairs, whose bins were counted, are not much dearer than the unions that are still to be done: the
+//! cheapest ones that regions want, of which most wait for a third region. Without this, the last rounds of an even
+//! image would unite cells, and leave parts of others.
+size_t SimilarMerger::countTimely(const CostBins& bins, size_t num_to_do) const
+{
+    const unsigned DOUBLED = 1 << 14; // cost
+    if (num_to_do >= b_.chosen.size())
+        return b_.chosen.size();
+    std::vector<int> wishes(CostBins::COUNT, 0); // each pair is the wish of two regions
+    for (size_t k = 0; k < b_.bands.size(); k++)
+        for (size_t i = 0; i < b_.bands[k].active.size(); i++)
+        {
+            const unsigned bin = bins(b_.best[b_.bands[k].active[i]]);
+            if (bin < CostBins::COUNT)
+                wishes[bin]++;
+        }
+    unsigned bin = 0;
+    for (size_t num_wanted = 0; bin < CostBins::COUNT && num_wanted < num_to_do; bin++)
+        num_wanted += wishes[bin] - b_.counts[bin];
+    const unsigned end = std::min<unsigned>(bin + (DOUBLED >> bins.shift), CostBins::COUNT);
+    return size_t(std::accumulate(b_.counts.begin(), b_.counts.begin() + end, 0));
+}
+
+//! The cheapest pairs, within 1/1024 of the range of costs; of those at the limit, the first ones.
+void SimilarMerger::choose(size_t count, size_t num_to_do)
+{
     b_.chosen.clear();
     for (size_t k = 0; k < b_.bands.size(); k++)
         b_.chosen.insert(b_.chosen.end(), b_.bands[k].pairs.begin(), b_.bands[k].pairs.end());
@@ -249,21 +289,19 @@ void SimilarMerger::choose(size_t count)
         lowest = std::min(lowest, cost);
         highest = std::max(highest, cost);
     }
-    int shift = 0;
-    while ((highest - lowest) >> shift >= unsigned(BINS))
-        shift++;
-    b_.counts.assign(BINS, 0);
+    const CostBins bins(lowest, highest);
+    b_.counts.assign(CostBins::COUNT, 0);
     for (size_t i = 0; i < b_.chosen.size(); i++)
-        b_.counts[(unsigned(b_.chosen[i].price >> 32) - lowest) >> shift]++;
+        b_.counts[bins(b_.chosen[i].price)]++;
     unsigned limit = 0; // bin in which the last ones are
-    size_t rest = count;
+    size_t rest = std::min(count, countTimely(bins, num_to_do));
     for (; rest > size_t(b_.counts[limit]); limit++)
         rest -= b_.counts[limit];
     size_t num_chosen = 0;
     for (size_t i = 0; i < b_.chosen.size(); i++)
     {
         const MergePair pair = b_.chosen[i];
-        const unsigned bin = (unsigned(pair.price >> 32) - lowest) >> shift;
+        const unsigned bin = bins(pair.price);
         const bool at_limit = (bin == limit) & (rest > 0);
         b_.chosen[num_chosen] = pair;
         num_chosen += (bin < limit) | at_limit;

@@ -43,6 +43,8 @@ struct MergeBuffers
     std::vector<int> counts;        // of pairs in each bin of costs
 };
 
+struct CostBins;
+
 //! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
 class SimilarMerger
 {
@@ -72,7 +74,8 @@ private:
     void findPairs();
     void findPairs(int band);
     size_t countWelcome(size_t num_pairs) const;
-    void choose(size_t count);
+    size_t countTimely(const CostBins& bins, size_t num_to_do) const;
+    void choose(size_t count, size_t num_to_do);
     void chooseOneSided(double share, size_t most);
     void unite(bool one_sided);
     void unite(const Range& pairs);
