@@ -132,7 +132,7 @@ struct BlockSweeps
     double price;
 };
 
-//! One at least after merging, or regions keep blocks that hang over an edge. Where superpixels have few blocks, a sweep
+//! One at least after merging, or regions keep blocks that hang over an edge. Where superpixels have few blocks, one
 //! before it takes a tenth of the time; some more after it, which look at little, and less price do nearly the same.
 inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_superpixel)
 {
