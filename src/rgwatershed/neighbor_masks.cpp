@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rgwatershed/neighbor_masks.hpp"
-#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

@@ -12,8 +12,6 @@ Reciprocals::Reciprocals() : of()
         of[area] = int64(double(FIXED_ONE) / area);
 }
 
-const Reciprocals reciprocals;
-
 void Regions::divideBlocks(int side)
 {
     const int elements = side * side;

@@ -45,11 +45,16 @@ struct Reciprocals
     enum { COUNT = 256 };
     int64 of[COUNT]; //!< that of 0 is 0
 };
-extern const Reciprocals reciprocals;
+
+inline const Reciprocals& reciprocals()
+{
+    static const Reciprocals table;
+    return table;
+}
 
 inline int64 reciprocalOf(int area)
 {
-    return area < Reciprocals::COUNT ? reciprocals.of[area] : int64(double(FIXED_ONE) / area);
+    return area < Reciprocals::COUNT ? reciprocals().of[area] : int64(double(FIXED_ONE) / area);
 }
 
 //! Sums over the pixels of a region.
