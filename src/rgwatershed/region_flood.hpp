@@ -71,9 +71,9 @@ struct FloodBuffers
 };
 
 //! Floods the UNSEEN pixels from the markers, each band by itself; each marker grows a new region behind those that
-//! are there. middles are twice the places that the ruler counts from, or empty: then it counts from the markers.
-//! ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker, times 256. Regions of more
-//! pixels than usual_area come last.
+//! are there: none, if there are several bands. middles are twice the places that the ruler counts from, or empty: then
+//! it counts from the markers. ruler is the priority, in 1/16 of a level, of one pixel of distance from the marker,
+//! times 256. Regions of more pixels than usual_area come last.
 void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers, const std::vector<Point>& middles,
                      const std::vector<MarkerBand>& bands, const RegionDistance& distance, int ruler, int usual_area,
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);

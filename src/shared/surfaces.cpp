@@ -43,14 +43,6 @@ static v_int32x4 divide(const v_float32x4& sums, const v_float32x4& counts, int 
     return v_trunc(add(quotients, v_setall_f32(0.5f)));
 }
 
-//! Pairs of 16 bits, of numbers that fit into these.
-static v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
-{
-    v_int16x8 pairs, rest;
-    v_zip(v_pack(lower, lower), v_pack(upper, upper), pairs, rest);
-    return pairs;
-}
-
 SurfaceSolver::SurfaceSolver(const Camera& camera)
     : horizon_(cvRound(STEPS_PER_LEVEL * camera.horizon)),
       axis_x_(cvRound(float(SurfaceMean::CENTER_UNIT) * camera.center.x)),

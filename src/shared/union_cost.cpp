@@ -42,17 +42,6 @@ static inline v_float32x4 sumOf(const v_int32x4& a, const v_int32x4& b)
     return add(v_reinterpret_as_f32(a), v_reinterpret_as_f32(b));
 }
 
-static inline v_int16x8 lowerHalves(const v_int32x4& pairs)
-{
-    return v_reinterpret_as_s16(bitAnd(pairs, v_setall_s32(0xFFFF)));
-}
-
-//! Of numbers that fit into 16 bits.
-static inline v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
-{
-    return v_add_wrap(lowerHalves(lower), v_reinterpret_as_s16(v_shl<16>(upper)));
-}
-
 //! The same pair four times.
 static inline v_int16x8 makePairs(int lower, int upper)
 {

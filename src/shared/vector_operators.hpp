@@ -64,6 +64,18 @@ template <typename V> inline V equal(const V& a, const V& b) { return chooseEqua
 inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
 inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }
 
+//! The lower ones of pairs of 16 bits, with 0 in the place of the upper ones.
+inline v_int16x8 lowerHalves(const v_int32x4& pairs)
+{
+    return v_reinterpret_as_s16(bitAnd(pairs, v_setall_s32(0xFFFF)));
+}
+
+//! Pairs of numbers that fit into 16 bits.
+inline v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
+{
+    return v_add_wrap(lowerHalves(lower), v_reinterpret_as_s16(v_shl<16>(upper)));
+}
+
 }}} // namespace
 
 #endif
