@@ -214,24 +214,16 @@ static void floodRows(const Padded<Feature>& features, const RegionDistance& dis
 //! Slopes of depth by the normals at the places of some markers, where flooding begins.
 static void findSlopes(const FeatureMap& features, const Point* markers, int n, FloodRegion* regions)
 {
-    const SurfaceSolver solver(features.camera);
-    for (int first = 0; first < n; first += 4)
+    std::vector<SurfaceSum> sums(n);
+    SurfaceSolver(features.camera).solveAll(n, [&](int i)
     {
-        SurfaceSum sums[4] = {};
-        SurfaceSolver::Source sources[4];
-        for (int k = 0; k < 4; k++)
-        {
-            const Point p = markers[std::min(first + k, n - 1)];
-            const Feature& feature = features.row(p.y)[p.x];
-            sums[k].add(feature, features.normalAt(p), p);
-            const SurfaceSolver::Source source = { &sums[k], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
-            sources[k] = source;
-        }
-        SurfaceMean means[4];
-        solver.solve(sources, means);
-        for (int k = 0; k < std::min(n - first, 4); k++)
-            regions[first + k].slope = Point(means[k].slope_x, means[k].slope_y);
-    }
+        const Point p = markers[i];
+        const Feature& feature = features.row(p.y)[p.x];
+        sums[i] = SurfaceSum();
+        sums[i].add(feature, features.normalAt(p), p);
+        const SurfaceSolver::Source source = { &sums[i], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
+        return source;
+    }, [&](int i, const SurfaceMean& mean) { regions[i].slope = Point(mean.slope_x, mean.slope_y); });
 }
 
 //! Adds up the surfaces of regions over some rows that hold no part of what others add up.

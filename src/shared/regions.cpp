@@ -53,21 +53,12 @@ void Regions::unite(int from, int to)
 //! Of those that numberOf(0), ... name.
 template <typename NumberOf> void Regions::updateSurfaces(int count, const NumberOf& numberOf)
 {
-    const SurfaceSolver solver(surfaces.camera);
-    for (int first = 0; first < count; first += 4)
+    SurfaceSolver(surfaces.camera).solveAll(count, [&](int k)
     {
-        SurfaceSolver::Source sources[4];
-        SurfaceMean found[4];
-        for (int k = 0; k < 4; k++)
-        {
-            const int i = numberOf(std::min(first + k, count - 1));
-            const SurfaceSolver::Source source = { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
-            sources[k] = source;
-        }
-        solver.solve(sources, found);
-        for (int k = 0; k < std::min(count - first, 4); k++)
-            surfaces.means[numberOf(first + k)] = found[k];
-    }
+        const int i = numberOf(k);
+        const SurfaceSolver::Source source = { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
+        return source;
+    }, [&](int k, const SurfaceMean& mean) { surfaces.means[numberOf(k)] = mean; });
 }
 
 void Regions::update(const Range& range)

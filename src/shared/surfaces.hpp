@@ -85,9 +85,25 @@ public:
         int depth, depth_area;
     };
 
-    void solve(const Source* sources, SurfaceMean* means) const;
+    //! Calls give(i, mean) with the mean of sourceOf(i), for 0..count-1.
+    template <typename SourceOf, typename Give>
+    void solveAll(int count, const SourceOf& sourceOf, const Give& give) const
+    {
+        for (int first = 0; first < count; first += 4)
+        {
+            Source sources[4];
+            SurfaceMean means[4];
+            for (int k = 0; k < 4; k++)
+                sources[k] = sourceOf(std::min(first + k, count - 1));
+            solve(sources, means);
+            for (int k = 0; k < std::min(count - first, 4); k++)
+                give(first + k, means[k]);
+        }
+    }
 
 private:
+    void solve(const Source* sources, SurfaceMean* means) const;
+
     const int horizon_;         // in steps
     const int axis_x_, axis_y_; // where the optical axis is, as centres are
     const Point2f per_focal_;   // one over the focal length
