@@ -346,7 +346,7 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers | 0.85 | 0.068 |
+    | 0 | fewer markers | 0.9 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.059 |
