@@ -156,12 +156,13 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
 
 TEST(ximgproc_SuperpixelGWatershed, no_part_of_a_cell_is_left_on_an_even_image)
 {
-    for (int region_size : { 6, 7, 8, 10, 11, 12, 15, 16, 18, 19, 22, 25, 28, 40 })
-    {
-        const Vec2d areas = extremeAreas(superpixels(Mat(480, 640, CV_8UC3, Scalar(90, 120, 150)), region_size));
-        EXPECT_GE(areas[0], 0.55) << region_size;
-        EXPECT_LE(areas[1], 1.5) << region_size;
-    }
+    for (const Size& size : { Size(640, 480), Size(1280, 720) })
+        for (int region_size : { 6, 7, 8, 9, 10, 11, 12, 15, 16, 18, 19, 22, 25, 28, 40 })
+        {
+            const Vec2d areas = extremeAreas(superpixels(Mat(size, CV_8UC3, Scalar(90, 120, 150)), region_size));
+            EXPECT_GE(areas[0], 0.55) << size << ", " << region_size;
+            EXPECT_LE(areas[1], 1.5) << size << ", " << region_size;
+        }
 }
 
 Mat makeRamp(Size size, Point direction)

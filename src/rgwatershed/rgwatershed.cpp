@@ -80,9 +80,10 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     }
     clearLabels(features.size(), mask, labels_[plan.levels.top]);
     regions_.resize(0);
+    const int num_markers = int(markers_.size()); // fewer than planned where cells have no room for them
     floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance,
-                    plan.floodRuler(plan.blocks, plan.num_markers),
-                    plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers_,
+                    plan.floodRuler(plan.blocks, num_markers),
+                    plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, num_markers), flood_buffers_,
                     labels_[plan.levels.top], regions_);
     return markers_in_cell;
 }

@@ -83,6 +83,8 @@ static int countRows(Size size, int n, bool symmetric)
     return best;
 }
 
+static bool fits(Size inner, Size outer) { return inner.width <= outer.width && inner.height <= outer.height; }
+
 MarkerGrid::MarkerGrid(Size size_, int num_cells_)
     : size(size_), extent(size_), unit(1), num_cells(num_cells_), rows(countRows(size_, num_cells_, false)),
       parts(1, 1), symmetric(false)
@@ -93,14 +95,16 @@ MarkerGrid::MarkerGrid(Size size_, Size extent_, int unit_, int num_cells_, int 
     : size(size_), extent(extent_), unit(unit_), num_cells(num_cells_), rows(countRows(size_, num_cells_, true)),
       parts(1, 1), symmetric(true)
 {
-    int height = int(std::sqrt(double(markers_in_cell)));
-    while (markers_in_cell % height != 0)
-        height--;
-    const Size wanted(markers_in_cell / height, height);
-    if (size.height / rows >= wanted.height && size.width / ((num_cells + rows - 1) / rows) >= wanted.width)
+    const Size smallest_cell(size.width / ((num_cells + rows - 1) / rows), size.height / rows);
+    for (int count = markers_in_cell; count > 1; count--)
     {
-        parts = wanted;
-        return;
+        int shorter = int(std::sqrt(double(count)));
+        while (count % shorter != 0)
+            shorter--;
+        const Size wide(count / shorter, shorter), high(shorter, count / shorter);
+        parts = fits(wide, smallest_cell) ? wide : fits(high, smallest_cell) ? high : parts;
+        if (parts.area() == count)
+            return;
     }
     num_cells *= markers_in_cell;
     rows = countRows(size, num_cells, true);

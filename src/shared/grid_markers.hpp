@@ -16,8 +16,8 @@ struct MarkerGrid
     //! One marker in each cell.
     MarkerGrid(Size size, int num_cells);
     //! A symmetric grid of blocks, at most one marker for each. extent is the size in parts of a block, of which a
-    //! whole one has `unit` on each side. If cells are too small for so many markers, there are as many cells as
-    //! markers.
+    //! whole one has `unit` on each side. If cells are too small for so many markers, each has fewer; if there is room
+    //! for one only, there are as many cells as markers.
     MarkerGrid(Size size, Size extent, int unit, int num_cells, int markers_in_cell);
 
     int numMarkers() const { return num_cells * parts.area(); }
