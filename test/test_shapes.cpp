@@ -122,6 +122,30 @@ TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
                 }
 }
 
+// Random rows beside random columns of grey levels: the means of both are the same, and all contrasts, too.
+TEST(ximgproc_SuperpixelGWatershed, textures_of_different_directions_stay_apart)
+{
+    const Size size(320, 240);
+    const int border = 150, cases = 20;
+    double mixed = 0; // pixels on the side of the border on which less of their superpixel lies
+    for (int i = 0; i < cases; i++)
+    {
+        Mat rows(size.height, 1, CV_8UC1), columns(1, size.width, CV_8UC1), image;
+        theRNG().state = i + 1;
+        randu(rows, 108, 149);
+        randu(columns, 108, 149);
+        repeat(columns, size.height, 1, image);
+        repeat(rows, 1, border, image.colRange(0, border));
+        const std::vector<std::vector<Point> > found = pixelsOf(superpixels(image, 20));
+        for (const std::vector<Point>& pixels : found)
+        {
+            const int left = int(std::count_if(pixels.begin(), pixels.end(), [](Point p) { return p.x < border; }));
+            mixed += std::min(left, int(pixels.size()) - left);
+        }
+    }
+    EXPECT_LE(mixed / cases, 900); // of 14 superpixels of 400 pixels that the border would cut into halves
+}
+
 // Each stripe has a row of whole blocks. What is merged of them grows broader when boundaries are settled.
 TEST(ximgproc_SuperpixelGWatershed, stripes_of_two_blocks_have_no_superpixel_over_the_image)
 {

@@ -6,6 +6,7 @@
 #include "rgwatershed/adaptive_markers.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_merge.hpp"
+#include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/region_labels.hpp"
 #include "shared/region_measure.hpp"
@@ -105,11 +106,21 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
         sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
         sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
     }
-    merge_buffers.textures.clear(); // not measured
+    measureTextures(plan, merge_buffers.textures);
     mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
     if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
         merge_buffers = MergeBuffers();
+}
+
+//! Those of regions of blocks, if they count. Pixels that are merged as they are have none.
+void RGWatershed::measureTextures(const Plan& plan, std::vector<RegionTexture>& textures)
+{
+    textures.clear();
+    const int top = plan.levels.top;
+    if (top > 0 && plan.merge_rules.texture > 0)
+        measureBlockTextures(features_[top - 1], plan.levels.grid(top, features_[0].size()), plan.flood_distance,
+                             labels_[top], regions_.size(), steps_, textures);
 }
 
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.

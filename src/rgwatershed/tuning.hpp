@@ -90,6 +90,9 @@ inline MergeRules mergeRules(float ruler)
 {
     MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, 3.3f, 256, 1, false, 0, true };
     rules.length = cvRound(13 + 34 * std::min(ruler / 10, 1.f));
+    const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
+    rules.texture = cvRound(20 * part_of_textures);
+    rules.direction = cvRound(45 * part_of_textures);
     rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
     return rules;
 }

@@ -53,6 +53,13 @@ public:
         return distance;
     }
 
+    //! Colours say little about things whose depth is known: what is not a distance, as lightness and textures, counts
+    //! as much as colour counts more than depth.
+    int shareOfColor(int exponent) const
+    {
+        return with_depth ? exponent * (FULL_WEIGHT - beside_color) / FULL_WEIGHT : exponent;
+    }
+
     //! Distances of four pairs of pixels.
     template <bool WITH_DEPTH> v_int32x4 between(const v_uint8x16& f, const v_uint8x16& g) const
     {

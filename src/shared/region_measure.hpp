@@ -10,7 +10,8 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
-//! below them, weighted, in 1/16 of a level, in every second row. It grows with details, but hardly with shading.
+//! below them, weighted, in 1/16 of a level, in every second row; of blocks, what lies in them. It grows with details,
+//! but hardly with shading.
 struct RegionTexture
 {
     int64 across, down;

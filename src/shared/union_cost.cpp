@@ -174,12 +174,6 @@ void UnionCost::findFour(MergeEdge* edges) const
         edges[k].cost = costs[k];
 }
 
-//! Lightness says little about things whose depth is known: its terms count as much as colour counts more than depth.
-static int weighLightness(int exponent, const RegionDistance& distance)
-{
-    return distance.with_depth ? exponent * (FULL_WEIGHT - distance.beside_color) / FULL_WEIGHT : exponent;
-}
-
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
                      const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), surfaces_(surfaces),
@@ -188,8 +182,8 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),
-      length_and_lightness_(makePairs(-rules.length, -weighLightness(rules.lightness, distance))),
-      brightness_and_chroma_(makePairs(-weighLightness(rules.brightness, distance), rules.chroma)),
+      length_and_lightness_(makePairs(-rules.length, -distance.shareOfColor(rules.lightness))),
+      brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness), rules.chroma)),
       texture_and_direction_(makePairs(-rules.texture, rules.direction))
 {
 }

@@ -47,7 +47,8 @@ enum GWatershedType
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
-4. Merging, if there are more regions than superpixels: similar neighbours become one, until the number is reached.
+4. Merging, if there are more regions than superpixels: neighbours of similar colour and texture become one, until
+   the number is reached.
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
@@ -347,8 +348,8 @@ public:
     | effort | flood and merging | time | UE |
     |---|---|---|---|
     | 0 | fewer markers | 0.9 | 0.068 |
-    | 1 | as the class documentation says | 1 | 0.064 |
-    | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.062 |
+    | 1 | as the class documentation says | 1 | 0.063 |
+    | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.059 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
