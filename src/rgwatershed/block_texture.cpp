@@ -51,7 +51,7 @@ void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, con
 {
     CV_TRACE_FUNCTION();
     const Size size = labels.size();
-    const int padded_width = alignSize(size.width, AT_ONCE);
+    const int padded_width = int(alignSize(size.width, AT_ONCE));
     const short* w = distance.weights[0];
     const v_int16x8 weights(w[0], w[1], w[2], 0, w[0], w[1], w[2], 0);
     std::vector<int> lefts(padded_width, 0), rights(padded_width, 0);

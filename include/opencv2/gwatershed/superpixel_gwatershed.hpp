@@ -47,8 +47,7 @@ enum GWatershedType
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
-4. Merging, if there are more regions than superpixels: neighbours of similar colour and texture become one, until
-   the number is reached.
+4. Merging down to the number of superpixels: neighbours that are similar in colour and texture become one.
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
