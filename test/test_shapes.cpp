@@ -222,6 +222,8 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
             means[1] += medianAspect(superpixels(image, region_size, 40));
             EXPECT_LE(aspect, 1.6) << i << ", " << region_size;
         }
+        for (int region_size : { 35, 40, 50 })
+            EXPECT_LE(medianAspect(superpixels(image, region_size)), 1.6) << i << ", " << region_size;
     }
     EXPECT_LE(means[0] / 36, 1.2);
     EXPECT_LT(means[1], means[0]);

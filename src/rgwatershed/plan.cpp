@@ -40,6 +40,9 @@ static const EffortRules& effortRules(const Frame& frame, const Parameters& para
     return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
 }
 
+//! Of a superpixel of mean area, in pixels.
+static double sideOf(const Frame& frame) { return std::sqrt(double(frame.num_pixels) / frame.num_superpixels); }
+
 static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
 {
     const double fewest_blocks =
@@ -52,7 +55,7 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler)), pixel_merge_rules(pixelMergeRules(ruler)),
+      merge_rules(mergeRules(ruler, sideOf(frame))), pixel_merge_rules(pixelMergeRules(ruler, sideOf(frame))),
       flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
@@ -60,7 +63,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     levels.centered = frame.mask.empty() && frame.normals.empty();
     const EffortRules& effort = effortRules(frame, parameters);
     const bool masked = !frame.mask.empty();
-    const double side = std::sqrt(double(frame.num_pixels) / frame.num_superpixels);
+    const double side = sideOf(frame);
     const int top = levels.top;
     blocks = masked ? masks.blocks(top) : levels.sizeOf(top, frame.color.size()).area();
     num_superpixels = masked ? std::max(frame.num_superpixels - masks.lost(top), masks.components(top))

@@ -85,24 +85,27 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
     return num_markers > MARKERS_WITH_BUFFERS * num_pixels;
 }
 
-//! Merging. Long common boundaries make compact superpixels, so they count as much as the ruler asks for.
-inline MergeRules mergeRules(float ruler)
+//! Merging to superpixels of a side in pixels. Long common boundaries make compact ones, so they count as much as the
+//! ruler asks for.
+inline MergeRules mergeRules(float ruler, double side)
 {
     MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, 3.3f, 256, 1, false, 0, true };
     rules.length = cvRound(13 + 34 * std::min(ruler / 10, 1.f));
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
-    rules.noise = 225 + cvRound(10 * std::min(ruler, 40.f)); // larger ones make the cells of a ramp squares
+    // Larger ones make the cells of a ramp squares, whose parts differ by more where they are large.
+    const double of_large_ones = std::min(std::max(side * side / 1000, 1.), 64.);
+    rules.noise = cvRound((225 + 10 * std::min(ruler, 40.f)) * of_large_ones);
     return rules;
 }
 
 //! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
-inline MergeRules pixelMergeRules(float ruler)
+inline MergeRules pixelMergeRules(float ruler, double side)
 {
     MergeRules rules = MERGE_BY_TEXTURES;
     rules.usual = 3.6f;
-    rules.length = cvRound(double(rules.length) * mergeRules(ruler).length / mergeRules(10).length);
+    rules.length = cvRound(double(rules.length) * mergeRules(ruler, side).length / mergeRules(10, side).length);
     return rules;
 }
 
