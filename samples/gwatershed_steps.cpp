@@ -73,9 +73,10 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::Regions regions;
     gws::FloodBuffers flood_buffers;
     gws::clearLabels(blocks.size(), Mat(), labels);
+    const int num_markers = int(steps.markers.size());
     gws::floodFromPoints(blocks, steps.markers, middles, bands, plan.flood_distance,
-                         plan.floodRuler(plan.blocks, plan.num_markers),
-                         plan.usualFloodArea(plan.blocks, plan.num_markers), flood_buffers, labels, regions);
+                         plan.floodRuler(plan.blocks, num_markers), plan.usualFloodArea(plan.blocks, num_markers),
+                         flood_buffers, labels, regions);
     steps.flooded = labels.view().clone();
 
     gws::BoundarySweeper sweeper;

@@ -24,9 +24,8 @@ static v_int32x4 meanStep(const v_uint8x16& first, const v_uint8x16& second, con
     v_expand(second, more_low, more_high);
     const v_int32x4 a = v_dotprod(v_reinterpret_as_s16(v_add_wrap(low, more_low)), weights);
     const v_int32x4 b = v_dotprod(v_reinterpret_as_s16(v_add_wrap(high, more_high)), weights);
-    v_int32x4 even, odd, first_halves, second_halves; // two sums of channels for each block
-    v_zip(a, b, even, odd);
-    v_zip(even, odd, first_halves, second_halves);
+    v_int32x4 first_halves, second_halves; // two sums of channels for each block
+    splitPairs(a, b, first_halves, second_halves);
     return v_shr<6>(add(first_halves, second_halves)); // of 2 * FULL_WEIGHT for a level
 }
 

@@ -85,12 +85,15 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
     return num_markers > MARKERS_WITH_BUFFERS * num_pixels;
 }
 
-//! Merging to superpixels of a side in pixels. Long common boundaries make compact ones, so they count as much as the
-//! ruler asks for.
+//! Exponent of the length of common boundaries. Long ones make compact superpixels, so they count as much as the ruler
+//! asks for.
+inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 10, 1.f)); }
+
+//! Merging to superpixels of a side in pixels.
 inline MergeRules mergeRules(float ruler, double side)
 {
     MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, 3.3f, 256, 1, false, 0, true };
-    rules.length = cvRound(13 + 34 * std::min(ruler / 10, 1.f));
+    rules.length = mergeLength(ruler);
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
@@ -101,11 +104,11 @@ inline MergeRules mergeRules(float ruler, double side)
 }
 
 //! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
-inline MergeRules pixelMergeRules(float ruler, double side)
+inline MergeRules pixelMergeRules(float ruler)
 {
     MergeRules rules = MERGE_BY_TEXTURES;
     rules.usual = 3.6f;
-    rules.length = cvRound(double(rules.length) * mergeRules(ruler, side).length / mergeRules(10, side).length);
+    rules.length = cvRound(double(rules.length) * mergeLength(ruler) / mergeLength(10));
     return rules;
 }
 

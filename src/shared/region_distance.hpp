@@ -146,14 +146,6 @@ private:
         return pair;
     }
 
-    //! From four times four values the first two of each, and the last two.
-    static void splitPairs(const v_int16x8& a, const v_int16x8& b, v_int32x4& first, v_int32x4& second)
-    {
-        v_int32x4 even, odd;
-        v_zip(v_reinterpret_as_s32(a), v_reinterpret_as_s32(b), even, odd);
-        v_zip(even, odd, first, second);
-    }
-
     template <typename T> static unsigned bitsOf(const T& value)
     {
         unsigned bits = 0;

@@ -76,6 +76,20 @@ inline v_int16x8 makePairs(const v_int32x4& lower, const v_int32x4& upper)
     return v_add_wrap(lowerHalves(lower), v_reinterpret_as_s16(v_shl<16>(upper)));
 }
 
+//! Of two times two pairs of words, the first words and the second ones.
+inline void splitPairs(const v_int32x4& a, const v_int32x4& b, v_int32x4& first, v_int32x4& second)
+{
+    v_int32x4 even, odd;
+    v_zip(a, b, even, odd);
+    v_zip(even, odd, first, second);
+}
+
+//! The same of pairs of 16 bits.
+inline void splitPairs(const v_int16x8& a, const v_int16x8& b, v_int32x4& first, v_int32x4& second)
+{
+    splitPairs(v_reinterpret_as_s32(a), v_reinterpret_as_s32(b), first, second);
+}
+
 }}} // namespace
 
 #endif
