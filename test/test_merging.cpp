@@ -37,13 +37,25 @@ double directionOf(const Vec2d& steps, double area)
     return straightLog(steps[0] + 0.5 * area) - straightLog(steps[1] + 0.5 * area);
 }
 
+//! The square of the slope that two regions share, from the sums of the rises of lightness across and down in them and
+//! those of all steps.
+double commonSlope(const Vec2d& rise_a, const Vec2d& steps_a, double na, const Vec2d& rise_b, const Vec2d& steps_b,
+                   double nb)
+{
+    const Vec2d a = rise_a / na, b = rise_b / nb;
+    const double rough = std::max((steps_a[0] + steps_a[1]) / na - std::abs(a[0]) - std::abs(a[1]),
+                                  (steps_b[0] + steps_b[1]) / nb - std::abs(b[0]) - std::abs(b[1]));
+    return std::max(0., std::min(a.dot(a), b.dot(b)) - (a - b).dot(a - b) -
+                            std::pow(0.33 * std::max(0., rough - 1.5), 2));
+}
+
 //! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
 //! from pixel to pixel are those inside of the first superpixels.
 std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n)
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
-    std::vector<Vec2d> steps(n, Vec2d(0, 0)); // across and down, in every second row
+    std::vector<Vec2d> steps(n, Vec2d(0, 0)), rises(n, Vec2d(0, 0)); // across and down, in every second row
     std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -56,9 +68,13 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
                 const Point q(x + (k == 0), y + (k == 1));
                 if (q.x == labels.cols || q.y == labels.rows)
                     continue;
-                const double step = cv::norm(color - opponentColor(image.at<Vec3b>(q)), NORM_L1);
+                const Vec3d next = opponentColor(image.at<Vec3b>(q));
+                const double step = cv::norm(color - next, NORM_L1);
                 if (first.at<int>(q) == first.at<int>(y, x) && y % 2 == 0)
+                {
                     steps[labels.at<int>(q)][k] += step;
+                    rises[labels.at<int>(q)][k] += next[0] - color[0];
+                }
                 if (labels.at<int>(q) == labels.at<int>(y, x))
                     continue;
                 const int a = std::min(labels.at<int>(q), labels.at<int>(y, x));
@@ -82,7 +98,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         const Vec3d d = means[e->first.first] - means[e->first.second];
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
-        costs[e->first] = 0.58 * straightLog(d.dot(d) + 1.5) +
+        const double slope = commonSlope(rises[e->first.first], ta, na, rises[e->first.second], tb, nb);
+        costs[e->first] = 0.58 * straightLog(d.dot(d) + 4 * std::min(na, nb) * slope + 1.5) +
                           straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                           0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
                           0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -

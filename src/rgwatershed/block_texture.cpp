@@ -29,9 +29,22 @@ static v_int32x4 meanStep(const v_uint8x16& first, const v_uint8x16& second, con
     return v_shr<6>(add(first_halves, second_halves)); // of 2 * FULL_WEIGHT for a level
 }
 
-//! Steps between the corners of the blocks of a row: across in the lower half of a word, down in the upper one.
+//! Half of the mean of two rises of lightness of each of four blocks, in 1/256 of a level.
+static v_int32x4 meanRise(const v_uint8x16& from, const v_uint8x16& to, const v_uint8x16& more_from,
+                          const v_uint8x16& more_to, const v_int16x8& weight)
+{
+    const v_uint32x4 lightness = v_setall_u32(255);
+    const auto of = [&](const v_uint8x16& features)
+    {
+        return v_reinterpret_as_s32(bitAnd(v_reinterpret_as_u32(features), lightness));
+    };
+    const v_int32x4 sum = subtract(add(of(to), of(more_to)), add(of(from), of(more_from)));
+    return v_shr<2>(v_dotprod(v_reinterpret_as_s16(sum), weight));
+}
+
+//! Steps between the corners of the blocks of a row, four for each: across, down, and the same of lightness with signs.
 static void findSteps(const Feature* upper, const Feature* lower, const int* lefts, const int* rights, int n,
-                      const v_int16x8& weights, int* steps)
+                      const v_int16x8& weights, const v_int16x8& of_lightness, short* steps)
 {
     for (int x = 0; x < n; x += AT_ONCE)
     {
@@ -39,7 +52,13 @@ static void findSteps(const Feature* upper, const Feature* lower, const int* lef
         const v_uint8x16 c = load(lower, lefts + x), d = load(lower, rights + x);
         const v_int32x4 across = meanStep(v_absdiff(a, b), v_absdiff(c, d), weights);
         const v_int32x4 down = meanStep(v_absdiff(a, c), v_absdiff(b, d), weights);
-        v_store(steps + x, add(across, v_shl<16>(down)));
+        const v_int32x4 rise_across = meanRise(a, b, c, d, of_lightness);
+        const v_int32x4 rise_down = meanRise(a, c, b, d, of_lightness);
+        v_int32x4 first, second;
+        v_zip(v_reinterpret_as_s32(makePairs(across, down)), v_reinterpret_as_s32(makePairs(rise_across, rise_down)),
+              first, second);
+        v_store(steps + 4 * x, v_reinterpret_as_s16(first));
+        v_store(steps + 4 * x + 8, v_reinterpret_as_s16(second));
     }
 }
 
@@ -53,28 +72,30 @@ void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, con
     const int padded_width = int(alignSize(size.width, AT_ONCE));
     const short* w = distance.weights[0];
     const v_int16x8 weights(w[0], w[1], w[2], 0, w[0], w[1], w[2], 0);
+    const v_int16x8 of_lightness(w[0], 0, w[0], 0, w[0], 0, w[0], 0);
     std::vector<int> lefts(padded_width, 0), rights(padded_width, 0);
     for (int x = 0; x < size.width; x++)
     {
         lefts[x] = grid.columns.start(x);
         rights[x] = grid.columns.start(x + 1) - 1;
     }
-    steps.create(size.height, padded_width, CV_32SC1);
+    steps.create(size.height, padded_width, CV_16SC4);
     parallel_for_(Range(0, size.height), [&](const Range& rows)
     {
         for (int y = rows.start; y < rows.end; y++)
             findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
-                      rights.data(), size.width, weights, steps.ptr<int>(y));
+                      rights.data(), size.width, weights, of_lightness, steps.ptr<short>(y));
     });
     textures.assign(num_regions, RegionTexture());
     for (int y = 0; y < size.height; y++)
     {
-        const int *row = labels.row(y), *of_row = steps.ptr<int>(y);
-        for (int x = 0; x < size.width; x++)
+        const int* row = labels.row(y);
+        const short* of_block = steps.ptr<short>(y);
+        for (int x = 0; x < size.width; x++, of_block += 4)
             if (row[x] >= 0)
             {
-                textures[row[x]].across += of_row[x] & 0xFFFF;
-                textures[row[x]].down += of_row[x] >> 16;
+                const RegionTexture texture = { of_block[0], of_block[1], of_block[2], of_block[3] };
+                textures[row[x]].add(texture);
             }
     }
 }

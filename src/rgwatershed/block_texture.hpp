@@ -10,8 +10,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The texture of each region of blocks: the mean steps across and down inside of each block, between those of its
-//! elements that lie at its corners. They count half, as those of pixels do, of which every second row counts.
+//! The texture of each region of blocks: the mean steps across and down inside of each block, and those of lightness
+//! with their signs, between those of its elements that lie at its corners. They count half, as those of pixels do, of
+//! which every second row counts.
 //! `steps` is a buffer.
 void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,

@@ -55,7 +55,7 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler, sideOf(frame))), pixel_merge_rules(pixelMergeRules(ruler)),
+      merge_rules(mergeRules(ruler)), pixel_merge_rules(pixelMergeRules(ruler)),
       flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
@@ -90,7 +90,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
-    return cvRound(std::min(4096 * ruler * FLOOD_RULER / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+    const double priority = FLOOD_RULER * std::max(ruler, 10.f); // less makes fringes along the lines of a ramp
+    return cvRound(std::min(4096 * priority / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
 }
 
 int Plan::usualFloodArea(double num_blocks, int num_markers_there)

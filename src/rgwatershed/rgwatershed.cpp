@@ -118,7 +118,7 @@ void RGWatershed::measureTextures(const Plan& plan, std::vector<RegionTexture>& 
 {
     textures.clear();
     const int top = plan.levels.top;
-    if (top > 0 && plan.merge_rules.texture > 0)
+    if (top > 0)
         measureBlockTextures(features_[top - 1], plan.levels.grid(top, features_[0].size()), plan.flood_distance,
                              labels_[top], regions_.size(), steps_, textures);
 }

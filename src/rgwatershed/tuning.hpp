@@ -89,17 +89,16 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
 //! asks for.
 inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 10, 1.f)); }
 
-//! Merging to superpixels of a side in pixels.
-inline MergeRules mergeRules(float ruler, double side)
+//! Merging of regions of blocks.
+inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, 3.3f, 256, 1, false, 0, true };
+    MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, -24, 128, 3.3f, 0, 1, false, 0, true };
     rules.length = mergeLength(ruler);
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
-    // Larger ones make the cells of a ramp squares, whose parts differ by more where they are large.
-    const double of_large_ones = std::min(std::max(side * side / 1000, 1.), 64.);
-    rules.noise = cvRound((225 + 10 * std::min(ruler, 40.f)) * of_large_ones);
+    // Larger ones make superpixels of even areas squares.
+    rules.noise = cvRound(80 + 6 * std::min(std::max(ruler, 10.f), 40.f));
     return rules;
 }
 

@@ -110,16 +110,23 @@ inline void addSteps(const PixelRows& pixels, int label, int count, int count_ac
 {
     const int *mask = firstWords(count), *mask_across = firstWords(count_across);
     const v_int32x4 own = v_setall_s32(label);
+    const v_uint8x16 lightness = v_reinterpret_as_u8(v_setall_u32(255));
     ChannelSums across, down;
+    v_int32x4 rises = v_setzero_s32();
     for (int k = 0; k < AT_ONCE; k += 4)
     {
         const v_uint8x16 four = loadFour(pixels.features + k);
         const v_uint8x16 same = v_reinterpret_as_u8(equal(v_load(pixels.labels_below + k), own));
         across.add(bitAnd(v_absdiff(four, loadFour(pixels.features + k + 1)), loadMask(mask_across + k)));
-        down.add(bitAnd(v_absdiff(four, loadFour(pixels.below + k)), bitAnd(same, loadMask(mask + k))));
+        const v_uint8x16 counted = bitAnd(same, loadMask(mask + k)), below = loadFour(pixels.below + k);
+        down.add(bitAnd(v_absdiff(four, below), counted));
+        const v_uint8x16 part = bitAnd(counted, lightness);
+        rises = add(rises, v_reinterpret_as_s32(bitAnd(below, part)));
+        rises = subtract(rises, v_reinterpret_as_s32(bitAnd(four, part)));
     }
     to.across += across.weighted(weights);
     to.down += down.weighted(weights);
+    to.rise_down += v_reduce_sum(rises);
 }
 
 //! A few pixels at the end of a row, with room behind them.
@@ -159,6 +166,8 @@ inline void addPixels(const PixelRows& pixels, int label, int count, int count_a
 template <bool WITH_TEXTURE>
 void addRun(PixelRows pixels, int label, int count, int room, const v_int16x8& weights, ColorSum& to)
 {
+    if (WITH_TEXTURE)
+        to.texture.rise_across += pixels.features[count - 1].color[0] - pixels.features[0].color[0];
     for (; count > 0; count -= AT_ONCE, room -= AT_ONCE, pixels.skip(AT_ONCE))
     {
         const int now = std::min<int>(count, AT_ONCE), now_across = std::min<int>(count - 1, AT_ONCE);
@@ -226,7 +235,11 @@ void measureRegions(const FeatureMap& features, const Mat& labels, const RegionD
     setSums(features, labels, sums, regions);
     textures.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
+    {
         textures[i] = sums[i].texture;
+        textures[i].rise_across *= distance.weights[0][0];
+        textures[i].rise_down *= distance.weights[0][0];
+    }
 }
 
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)

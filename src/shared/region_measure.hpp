@@ -11,15 +11,18 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
 //! below them, weighted, in 1/16 of a level, in every second row; of blocks, what lies in them. It grows with details,
-//! but hardly with shading.
+//! but hardly with shading. And how its lightness rises: sums of the same differences with their signs, in 1/256.
 struct RegionTexture
 {
     int64 across, down;
+    int64 rise_across, rise_down;
 
     void add(const RegionTexture& t)
     {
         across += t.across;
         down += t.down;
+        rise_across += t.rise_across;
+        rise_down += t.rise_down;
     }
 };
 

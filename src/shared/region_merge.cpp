@@ -99,14 +99,23 @@ void SimilarMerger::start()
 }
 
 //! Steps are divided by pixels, not by their own number. So a narrow region, with few of them, counts as a smooth one.
+//! Those that are no slope go up and down, or are of the other channels: noise, as far as they are small.
 void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 {
     const int64 FINE = STEPS_PER_LEVEL, FLAT = STEPS_PER_LEVEL / 2; // for each pixel; less is like none
+    const int LEVEL = 256, NOISE = 3 * LEVEL / 2, STEEPEST = 64 * LEVEL; // as rises are measured
     const RegionTexture& texture = b_.textures[region];
     const int64 area = regions_.sums[region].area;
     record.texture = short(logarithm(float(texture.across + texture.down + FINE * area)) - logarithm(float(area)));
     record.direction = short(logarithm(float(texture.across + FLAT * area)) -
                              logarithm(float(texture.down + FLAT * area)));
+    const double share = 1 / double(area);
+    const int x = cvRound(double(texture.rise_across) * share), y = cvRound(double(texture.rise_down) * share);
+    const int steps = cvRound(double((texture.across + texture.down) * (LEVEL / STEPS_PER_LEVEL)) * share);
+    const int rough = std::max(steps - std::abs(x) - std::abs(y) - NOISE, 0) * rules_.roughness / 64;
+    record.slope[0] = short(x);
+    record.slope[1] = short(y);
+    record.rough = std::min(rough, STEEPEST);
 }
 
 MergeRegion SimilarMerger::describe(int region) const
@@ -116,9 +125,9 @@ MergeRegion SimilarMerger::describe(int region) const
     const float scale = rules_.on_surface && mean.depth != RegionMean::NO_DEPTH
             ? areaScale(mean.depth, regions_.surfaces.camera) : 1.f;
     const float area = float(sum.area) * scale;
-    MergeRegion record = { { 0, 0, 0, mean.depth }, area, logarithm(area),
+    MergeRegion record = { { 0, 0, 0, mean.depth }, area, { 0, 0 },
                            0, 0, float(sum.color[0] + 16 * int64(sum.area)) * scale,
-                           region / rules_.in_cell, region };
+                           region / rules_.in_cell, 0 };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     if (!b_.textures.empty())
@@ -340,7 +349,7 @@ void SimilarMerger::chooseOneSided(double share, size_t most)
             continue;
         const float area = std::max(areas[wish.to], b_.records[wish.to].area) + b_.records[wish.from].area;
         if (states[wish.to] == TOOK &&
-            logarithm(area) > std::max(log_usual_area_, b_.records[wish.to].log_area + DOUBLED))
+            logarithm(area) > std::max(log_usual_area_, logarithm(b_.records[wish.to].area) + DOUBLED))
             continue;
         areas[wish.to] = area;
         states[wish.from] = GONE;

@@ -20,14 +20,16 @@ struct FourRegions
         v_int32x4 words[4];
         for (int k = 0; k < 4; k++)
             words[k] = v_reinterpret_as_s32(v_load(regions[k]->mean));
-        v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, area, log_area);
+        v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, area, slopes);
         for (int k = 0; k < 4; k++)
             words[k] = v_reinterpret_as_s32(v_load(&regions[k]->texture));
-        v_transpose4x4(words[0], words[1], words[2], words[3], textures, light, cell, index);
+        v_transpose4x4(words[0], words[1], words[2], words[3], textures, light, cell, rough);
     }
 
     v_int32x4 first_means, last_mean, textures; // pairs of 16 bits
-    v_int32x4 area, log_area, light, cell, index;
+    v_int32x4 area, slopes, light, cell, rough;
+
+    v_float32x4 areas() const { return v_reinterpret_as_f32(area); }
 };
 
 static inline v_int32x4 logarithm(const v_float32x4& values)
@@ -56,13 +58,13 @@ static inline v_int32x4 weigh(const v_int32x4& a, const v_int32x4& b, const v_in
 //! The surfaces of four regions.
 struct FourSurfaces
 {
-    FourSurfaces(const SurfaceMean* surfaces, const MergeRegion* const* regions)
+    FourSurfaces(const SurfaceMean* surfaces, const MergeRegion* records, const MergeRegion* const* regions)
     {
         v_int32x4 words[4], base;
         int y[4];
         for (int k = 0; k < 4; k++)
         {
-            const SurfaceMean& surface = surfaces[regions[k]->index];
+            const SurfaceMean& surface = surfaces[regions[k] - records];
             words[k] = v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&surface))); // up to x of the centre
             y[k] = surface.center.y;
         }
@@ -114,7 +116,7 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
     v_int32x4 sum = v_trunc(multiply(v_cvt_f32(of_colors), v_setall_f32(share * share))), step;
     if (distance_.with_surfaces)
     {
-        const FourSurfaces surface_a(surfaces_, first), surface_b(surfaces_, second);
+        const FourSurfaces surface_a(surfaces_, records_, first), surface_b(surfaces_, records_, second);
         step = depthBetween(surface_a, surface_b, depth_a, depth_b);
         sum = add(sum, squaredTurn(surface_a.normals, surface_b.normals, distance_.normal_share));
     }
@@ -124,6 +126,19 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
     sum = v_dotprod(lowerHalves(depth), lowerHalves(depth), sum);
     const v_int32x4 missing = v_shr<31>(v_min(depth_a, depth_b)); // all bits
     return add(sum, bitAnd(subtract(of_colors, sum), missing));
+}
+
+//! What a slope that both regions are parts of explains of their squared distance, as far as it counts. Where it rises,
+//! regions beside each other differ by as much as it does from one centre to the next, and across it they do not.
+v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b) const
+{
+    const v_int16x8 slope_a = v_reinterpret_as_s16(a.slopes), slope_b = v_reinterpret_as_s16(b.slopes);
+    const v_int16x8 turn = v_sub_wrap(slope_a, slope_b), rough = v_reinterpret_as_s16(v_max(a.rough, b.rough));
+    const v_int32x4 smaller = v_min(v_dotprod(slope_a, slope_a), v_dotprod(slope_b, slope_b));
+    const v_int32x4 not_common = add(v_dotprod(turn, turn), v_dotprod(rough, rough));
+    const v_float32x4 common = v_cvt_f32(v_max(subtract(smaller, not_common), v_setzero_s32()));
+    const v_float32x4 explained = v_min(multiply(common, v_min(a.areas(), b.areas())), v_setall_f32(1e9f));
+    return v_trunc(multiply(explained, slope_));
 }
 
 //! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
@@ -153,12 +168,13 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 zero = v_setzero_s32();
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
-    const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(a.log_area, b.log_area)));
+    const v_int32x4 log_area_a = logarithm(a.areas()), log_area_b = logarithm(b.areas());
+    const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(log_area_a, log_area_b)));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
     const v_int32x4 noise = v_select(equal(a.cell, b.cell), noise_in_cell_, noise_);
-    const v_int32x4 distance = logarithm(add(squared_distance, noise));
-    const v_int32x4 areas = subtract(add(a.log_area, b.log_area), log_union);
+    const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, ofSlopes(a, b)), zero), noise));
+    const v_int32x4 areas = subtract(add(log_area_a, log_area_b), log_union);
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
     const v_int32x4 chroma = logarithm(add(add(v_shr<16>(steps), last_steps), v_setall_s32(STEPS_PER_LEVEL)));
@@ -178,6 +194,7 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
                      const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * NOISE_IN_CELL)),
+      slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),

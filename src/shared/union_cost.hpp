@@ -22,6 +22,8 @@ struct MergeRules
     int chroma;     //!< a difference of it makes it expensive
     int texture;    //!< of the smoother region makes it cheap: differences mean less there
     int direction;  //!< of textures that run in different ones
+    int slope;      //!< what a squared slope that both have adds to the squared distance, or takes away
+    int roughness;  //!< so much of it, in 1/64, is no slope
     float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise;      //!< a squared distance that means little, in 1/64 of a squared level
     int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
@@ -31,19 +33,20 @@ struct MergeRules
 };
 
 //! For regions of pixels whose textures are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_TEXTURES = { 37, 56, 64, 61, 42, 25, 30, 10, 75, 32, 2.9f, 96, 1, false, 0, false };
+static const MergeRules MERGE_BY_TEXTURES = { 37, 56, 64, 61, 42, 25, 30, 10, 75, 32, 4, 21, 2.9f, 96, 1, false,
+                                              0, false };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
 {
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
-    int log_area;  //!< in 1/256 of a doubling
+    short slope[2]; //!< of lightness across and down, in 1/256 of a level
     short texture; //!< logarithm of the steps of colour for each pixel
     short direction; //!< logarithm of those across over those down
     float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
     int cell;      //!< of the grid of markers, in which the region began
-    int index;     //!< of the region
+    int rough;     //!< steps that are no slope, as far as they count, in the same unit
 };
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
@@ -60,10 +63,15 @@ struct FourRegions;
 //! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l
 //! its length, L the lightness of the means, m that of the union, C their distance in the two other channels, and a and
 //! b the steps across and down of a RegionTexture, for each pixel of the region:
-//!     (d^2 + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
+//!     (d^2 + slope e + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (C + 1)^chroma
 //!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
 //!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
+//! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and down
+//! (of half of the elements), and q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps that are no slope, it is
+//!     e = (smaller g^2 - (g1 - g2)^2 - (larger q)^2) * smaller n,   not below 0
+//! A slope below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 lets all of
+//! them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips across it.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
 //! colours are equal. Between rough regions, the same differences mean less. Without the last factor, what holds both
 //! colours of a pattern is nearer to all around it than these are to each other, and takes in one after the other.
@@ -85,10 +93,13 @@ private:
     v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
                        const MergeRegion* const* first, const MergeRegion* const* second) const;
 
+    v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b) const;
+
     const RegionDistance distance_;
     const MergeRegion* const records_;
     const SurfaceMean* const surfaces_;
     v_int32x4 noise_, noise_in_cell_;
+    v_float32x4 slope_; // of a squared slope, to a squared distance
     v_int32x4 log_usual_area_; // above it, unions are expensive
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it

@@ -194,24 +194,24 @@ public:
         gws->mergeSimilar(800);      // back to a finer level of the same hierarchy
     @endcode
 
-    The first call after iterate() finds the order in which all superpixels merge; each call applies the first
-    part of that order. So the partitions for all numbers are nested, in any order of the calls, and a call
-    after the first costs little more than writing the labels. Superpixels stay connected. Labels are renumbered
-    without gaps and keep their order. enforceLabelConnectivity(), if it merges something, starts a new order.
+    The first call after iterate() finds the order of all unions; each call applies the first part of it. So partitions
+    for all numbers are nested, and later calls cost little more than writing labels. Superpixels stay connected.
+    Labels keep their order, without gaps. enforceLabelConnectivity() starts a new order if it merges something.
 
     Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for colour, texture and more:
-    @f[ (d^2 + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
+    @f[ (d^2 + 4 s \min(n_a, n_b) + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
         \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
         (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
         \max(1, (n_a + n_b) / u)^{32} @f]
-    d is the distance of the mean colours and depths (Euclidean; beside depth, its exponent is 0.88), c that of the two
-    channels beside lightness (sum of absolute differences); n are pixels, l the length of the common boundary in
-    pixel edges, h the mean distance (as for c) of the pixels on its two sides. L are the mean lightnesses, and that of
-    both together, 0 to 255. Texture is t = x + y, r = (x + 0.5) / (y + 0.5): x and y are the distances of pixels to
-    those to their right and below them in the same superpixel of iterate(), summed over every second row and divided
-    by n. u is 2.9 times the mean n of what is left, whose number counts with all but its three highest bits cleared.
-    Distances are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels given
-    after setLabInput(true); alpha weighs depth. Terms of lightness count less beside it, not if alpha is below 0.5.
+    d is the Euclidean distance of mean colours and depths (beside depth, its exponent is 0.88), c that of the two
+    channels beside lightness (sum of absolute differences); n are pixels, l is the common boundary in pixel edges, h
+    the mean distance (as for c) across it. L are the mean lightnesses, also of both, 0 to 255. Texture is t = x + y, r
+    = (x + 0.5) / (y + 0.5): x and y are the distances of pixels to those right of and below them in a superpixel of
+    iterate(), summed over every second row, divided by n. g is the slope, the same of lightness, with signs; q =
+    max(0, t - |g|_1 - 1.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
+    q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
+    8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
+    alpha weighs depth. Terms of lightness and s count less beside it, not if alpha is below 0.5.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If N is not larger to begin with, nothing is merged.
