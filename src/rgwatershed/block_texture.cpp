@@ -93,10 +93,7 @@ void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, con
         const short* of_block = steps.ptr<short>(y);
         for (int x = 0; x < size.width; x++, of_block += 4)
             if (row[x] >= 0)
-            {
-                const RegionTexture texture = { of_block[0], of_block[1], of_block[2], of_block[3] };
-                textures[row[x]].add(texture);
-            }
+                textures[row[x]].add(v_cvt_f32(v_load_expand(of_block)));
     }
 }
 

@@ -13,14 +13,17 @@ namespace {
 struct ColorSum
 {
     uint64 channels[4];
-    RegionTexture texture;
+    int64 across, down, rise_across, rise_down; // of the texture, rises in whole levels
     int area, depth_area;
 
     void add(const ColorSum& s)
     {
         for (int k = 0; k < 4; k++)
             channels[k] += s.channels[k];
-        texture.add(s.texture);
+        across += s.across;
+        down += s.down;
+        rise_across += s.rise_across;
+        rise_down += s.rise_down;
         area += s.area;
         depth_area += s.depth_area;
     }
@@ -30,6 +33,14 @@ struct ColorSum
         const RegionSum sum = { { int64(channels[0]), int64(channels[1]), int64(channels[2]) }, int64(channels[3]),
                                 area, depth_area };
         return sum;
+    }
+
+    //! lightness is its weight, in 1/256.
+    RegionTexture toTexture(int lightness) const
+    {
+        const RegionTexture texture = { float(across), float(down), float(lightness * rise_across),
+                                        float(lightness * rise_down) };
+        return texture;
     }
 };
 
@@ -106,7 +117,7 @@ inline void addColors(const Feature* features, int count, ColorSum& to)
 
 //! Adds the steps to the next pixels of the row, where there are so many of the same label, and to those below.
 inline void addSteps(const PixelRows& pixels, int label, int count, int count_across, const v_int16x8& weights,
-                     RegionTexture& to)
+                     ColorSum& to)
 {
     const int *mask = firstWords(count), *mask_across = firstWords(count_across);
     const v_int32x4 own = v_setall_s32(label);
@@ -158,7 +169,7 @@ inline void addPixels(const PixelRows& pixels, int label, int count, int count_a
 {
     addColors(pixels.features, count, to);
     if (WITH_TEXTURE)
-        addSteps(pixels, label, count, count_across, weights, to.texture);
+        addSteps(pixels, label, count, count_across, weights, to);
 }
 
 //! Adds a run of pixels of one label. Most are short: so many are read at once, with those behind the end masked, which
@@ -167,7 +178,7 @@ template <bool WITH_TEXTURE>
 void addRun(PixelRows pixels, int label, int count, int room, const v_int16x8& weights, ColorSum& to)
 {
     if (WITH_TEXTURE)
-        to.texture.rise_across += pixels.features[count - 1].color[0] - pixels.features[0].color[0];
+        to.rise_across += pixels.features[count - 1].color[0] - pixels.features[0].color[0];
     for (; count > 0; count -= AT_ONCE, room -= AT_ONCE, pixels.skip(AT_ONCE))
     {
         const int now = std::min<int>(count, AT_ONCE), now_across = std::min<int>(count - 1, AT_ONCE);
@@ -235,11 +246,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, const RegionD
     setSums(features, labels, sums, regions);
     textures.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
-    {
-        textures[i] = sums[i].texture;
-        textures[i].rise_across *= distance.weights[0][0];
-        textures[i].rise_down *= distance.weights[0][0];
-    }
+        textures[i] = sums[i].toTexture(distance.weights[0][0]);
 }
 
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)

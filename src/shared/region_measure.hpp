@@ -12,18 +12,14 @@ namespace cv { namespace ximgproc { namespace gws {
 //! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
 //! below them, weighted, in 1/16 of a level, in every second row; of blocks, what lies in them. It grows with details,
 //! but hardly with shading. And how its lightness rises: sums of the same differences with their signs, in 1/256.
+//! @note Sums of floats depend on their order, which is the same for every number of threads.
 struct RegionTexture
 {
-    int64 across, down;
-    int64 rise_across, rise_down;
+    float across, down;
+    float rise_across, rise_down;
 
-    void add(const RegionTexture& t)
-    {
-        across += t.across;
-        down += t.down;
-        rise_across += t.rise_across;
-        rise_down += t.rise_down;
-    }
+    void add(const v_float32x4& sums) { v_store(&across, gws::add(v_load(&across), sums)); }
+    void add(const RegionTexture& t) { add(v_load(&t.across)); }
 };
 
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.

@@ -102,20 +102,17 @@ void SimilarMerger::start()
 //! Those that are no slope go up and down, or are of the other channels: noise, as far as they are small.
 void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 {
-    const int64 FINE = STEPS_PER_LEVEL, FLAT = STEPS_PER_LEVEL / 2; // for each pixel; less is like none
-    const int LEVEL = 256, NOISE = 3 * LEVEL / 2, STEEPEST = 64 * LEVEL; // as rises are measured
+    const float FINE = STEPS_PER_LEVEL, FLAT = FINE / 2; // for each pixel; less is like none
+    const int LEVEL = 256, NOISE = 3 * LEVEL / 2, STEEPEST = 64 * LEVEL; // in the unit of rises
     const RegionTexture& texture = b_.textures[region];
-    const int64 area = regions_.sums[region].area;
-    record.texture = short(logarithm(float(texture.across + texture.down + FINE * area)) - logarithm(float(area)));
-    record.direction = short(logarithm(float(texture.across + FLAT * area)) -
-                             logarithm(float(texture.down + FLAT * area)));
-    const double share = 1 / double(area);
-    const int x = cvRound(double(texture.rise_across) * share), y = cvRound(double(texture.rise_down) * share);
-    const int steps = cvRound(double((texture.across + texture.down) * (LEVEL / STEPS_PER_LEVEL)) * share);
-    const int rough = std::max(steps - std::abs(x) - std::abs(y) - NOISE, 0) * rules_.roughness / 64;
+    const float area = float(regions_.sums[region].area), share = 1 / area, steps = texture.across + texture.down;
+    record.texture = short(logarithm(steps + FINE * area) - logarithm(area));
+    record.direction = short(logarithm(texture.across + FLAT * area) - logarithm(texture.down + FLAT * area));
+    const int x = cvRound(texture.rise_across * share), y = cvRound(texture.rise_down * share);
+    const int rough = cvRound(steps * share * float(LEVEL) / FINE) - std::abs(x) - std::abs(y) - NOISE;
     record.slope[0] = short(x);
     record.slope[1] = short(y);
-    record.rough = std::min(rough, STEEPEST);
+    record.rough = std::min(std::max(rough, 0) * rules_.roughness / 64, STEEPEST);
 }
 
 MergeRegion SimilarMerger::describe(int region) const

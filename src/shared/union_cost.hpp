@@ -42,11 +42,11 @@ struct MergeRegion
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
     short slope[2]; //!< of lightness across and down, in 1/256 of a level
-    short texture; //!< logarithm of the steps of colour for each pixel
+    short texture;  //!< logarithm of the steps of colour for each pixel
     short direction; //!< logarithm of those across over those down
-    float light;   //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
-    int cell;      //!< of the grid of markers, in which the region began
-    int rough;     //!< steps that are no slope, as far as they count, in the same unit
+    float light;    //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
+    int cell;       //!< of the grid of markers, in which the region began
+    int rough;      //!< steps that are no slope, as far as they count, in the unit of slopes
 };
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
