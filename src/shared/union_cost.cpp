@@ -17,19 +17,20 @@ struct FourRegions
 {
     explicit FourRegions(const MergeRegion* const* regions)
     {
-        v_int32x4 words[4];
+        v_int32x4 words[4], areas, lights;
         for (int k = 0; k < 4; k++)
             words[k] = v_reinterpret_as_s32(v_load(regions[k]->mean));
-        v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, area, slopes);
+        v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, areas, slopes);
         for (int k = 0; k < 4; k++)
             words[k] = v_reinterpret_as_s32(v_load(&regions[k]->texture));
-        v_transpose4x4(words[0], words[1], words[2], words[3], textures, light, cell, rough);
+        v_transpose4x4(words[0], words[1], words[2], words[3], textures, lights, cell, rough);
+        area = v_reinterpret_as_f32(areas);
+        light = v_reinterpret_as_f32(lights);
     }
 
-    v_int32x4 first_means, last_mean, textures; // pairs of 16 bits
-    v_int32x4 area, slopes, light, cell, rough;
-
-    v_float32x4 areas() const { return v_reinterpret_as_f32(area); }
+    v_int32x4 first_means, last_mean, slopes, textures; // pairs of 16 bits
+    v_int32x4 cell, rough;
+    v_float32x4 area, light;
 };
 
 static inline v_int32x4 logarithm(const v_float32x4& values)
@@ -38,11 +39,6 @@ static inline v_int32x4 logarithm(const v_float32x4& values)
 }
 
 static inline v_int32x4 logarithm(const v_int32x4& values) { return logarithm(v_cvt_f32(values)); }
-
-static inline v_float32x4 sumOf(const v_int32x4& a, const v_int32x4& b)
-{
-    return add(v_reinterpret_as_f32(a), v_reinterpret_as_f32(b));
-}
 
 //! The same pair four times.
 static inline v_int16x8 makePairs(int lower, int upper)
@@ -137,7 +133,7 @@ v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b) const
     const v_int32x4 smaller = v_min(v_dotprod(slope_a, slope_a), v_dotprod(slope_b, slope_b));
     const v_int32x4 not_common = add(v_dotprod(turn, turn), v_dotprod(rough, rough));
     const v_float32x4 common = v_cvt_f32(v_max(subtract(smaller, not_common), v_setzero_s32()));
-    const v_float32x4 explained = v_min(multiply(common, v_min(a.areas(), b.areas())), v_setall_f32(1e9f));
+    const v_float32x4 explained = v_min(multiply(common, v_min(a.area, b.area)), v_setall_f32(1e9f));
     return v_trunc(multiply(explained, slope_));
 }
 
@@ -167,8 +163,8 @@ void UnionCost::findFour(MergeEdge* edges) const
 
     const v_int32x4 zero = v_setzero_s32();
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
-    const v_int32x4 log_union = logarithm(sumOf(a.area, b.area));
-    const v_int32x4 log_area_a = logarithm(a.areas()), log_area_b = logarithm(b.areas());
+    const v_int32x4 log_union = logarithm(add(a.area, b.area));
+    const v_int32x4 log_area_a = logarithm(a.area), log_area_b = logarithm(b.area);
     const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(log_area_a, log_area_b)));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
@@ -178,7 +174,7 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
     const v_int32x4 chroma = logarithm(add(add(v_shr<16>(steps), last_steps), v_setall_s32(STEPS_PER_LEVEL)));
-    const v_int32x4 brightness = subtract(logarithm(sumOf(a.light, b.light)), log_union);
+    const v_int32x4 brightness = subtract(logarithm(add(a.light, b.light)), log_union);
 
     v_int32x4 cost = weigh(distance, excess, distance_and_excess_, zero);
     cost = weigh(areas, contrast, areas_and_contrast_, cost);
