@@ -83,12 +83,9 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::MergeBuffers merge_buffers;
     sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
     sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
-    if (plan.levels.top > 0)
-    {
-        Mat buffer;
-        gws::measureBlockTextures(pyramid[plan.levels.top - 1], plan.levels.grid(plan.levels.top, image.size()),
-                                  plan.flood_distance, labels, regions.size(), buffer, merge_buffers.textures);
-    }
+    Mat buffer;
+    gws::measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), buffer,
+                              merge_buffers.textures);
     gws::MergeRules rules = plan.merge_rules;
     rules.in_cell = grid.parts.area();
     gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);

@@ -47,13 +47,15 @@ Vec2d extremeAreas(const Mat& labels)
     return extremes;
 }
 
-//! The median over the superpixels of the longer side of the bounding box over the shorter one.
+//! The median over the superpixels of the longer side of the bounding box over the shorter one. Labels may be missing.
 double medianAspect(const Mat& labels)
 {
     const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
     std::vector<double> aspects;
     for (size_t i = 0; i < pixels.size(); i++)
     {
+        if (pixels[i].empty())
+            continue;
         const Size box = boundsOf(pixels[i]).size();
         aspects.push_back(double(std::max(box.width, box.height)) / std::min(box.width, box.height));
     }
@@ -248,6 +250,25 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_steep_ramp)
             }
     EXPECT_LE(means[0] / count, 1.2);
     EXPECT_LE(means[1] / count, 1.5);
+}
+
+// In a video, only what has changed is flooded and merged anew.
+TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp_that_appears)
+{
+    const Mat before = makePattern(BOARD, 40, false);
+    const Rect changed(0, 0, 144, before.rows);
+    for (const Point& direction : { Point(1, 0), Point(0, 1) })
+        for (int region_size : { 20, 24, 30, 35, 40 })
+        {
+            Mat after = before.clone();
+            makeRamp(changed.size(), direction).copyTo(after(changed));
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(before, RGWATERSHED, region_size);
+            gws->setTemporal(true);
+            gws->iterate(before);
+            gws->iterate(after);
+            const Rect inside(0, 0, changed.width - region_size, changed.height);
+            EXPECT_LE(medianAspect(labelsOf(gws)(inside)), 2.2) << direction << ", " << region_size;
+        }
 }
 
 TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_after_merging)

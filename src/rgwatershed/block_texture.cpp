@@ -10,10 +10,7 @@ enum { AT_ONCE = 4 }; // blocks
 
 static v_uint8x16 load(const Feature* row, const int* places)
 {
-    unsigned words[AT_ONCE];
-    for (int k = 0; k < AT_ONCE; k++)
-        memcpy(&words[k], row + places[k], sizeof(Feature));
-    return v_reinterpret_as_u8(v_uint32x4(words[0], words[1], words[2], words[3]));
+    return loadFour(row[places[0]], row[places[1]], row[places[2]], row[places[3]]);
 }
 
 //! Half of the mean of two steps of each of four blocks, in 1/16 of a level.
@@ -63,11 +60,16 @@ static void findSteps(const Feature* upper, const Feature* lower, const int* lef
 }
 
 //! @note The steps are found in parallel; what is left are few additions for each block.
-void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, const RegionDistance& distance,
+void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,
                           std::vector<RegionTexture>& textures)
 {
     CV_TRACE_FUNCTION();
+    textures.clear();
+    if (levels.top == 0)
+        return;
+    const FeatureMap& elements = pyramid[levels.top - 1];
+    const BlockGrid grid = levels.grid(levels.top, pyramid[0].size());
     const Size size = labels.size();
     const int padded_width = int(alignSize(size.width, AT_ONCE));
     const short* w = distance.weights[0];
@@ -86,7 +88,7 @@ void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, con
             findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
                       rights.data(), size.width, weights, of_lightness, steps.ptr<short>(y));
     });
-    textures.assign(num_regions, RegionTexture());
+    textures.resize(num_regions);
     for (int y = 0; y < size.height; y++)
     {
         const int* row = labels.row(y);

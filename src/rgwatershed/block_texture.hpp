@@ -5,16 +5,16 @@
 #ifndef OPENCV_GWATERSHED_BLOCK_TEXTURE_HPP
 #define OPENCV_GWATERSHED_BLOCK_TEXTURE_HPP
 
-#include "rgwatershed/block_grid.hpp"
+#include "rgwatershed/feature_pyramid.hpp"
 #include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The texture of each region of blocks: the mean steps across and down inside of each block, and those of lightness
-//! with their signs, between those of its elements that lie at its corners. They count half, as those of pixels do, of
-//! which every second row counts.
+//! The texture of each region of blocks of the top level: the mean steps across and down inside of each block, and
+//! those of lightness with their signs, between those of its elements that lie at its corners. They count half, as
+//! those of pixels do, of which every second row counts. Pixels that are merged as they are have no textures.
 //! `steps` is a buffer.
-void measureBlockTextures(const FeatureMap& elements, const BlockGrid& grid, const RegionDistance& distance,
+void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,
                           std::vector<RegionTexture>& textures);
 

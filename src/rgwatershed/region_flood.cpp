@@ -35,7 +35,7 @@ public:
     }
 
     //! features: of left, top, right and bottom; at: the place of the block; excess: levels that are added.
-    v_int16x8 operator()(const v_uint32x4& features, const FloodRegion& region, Point at, int excess) const
+    v_int16x8 operator()(const v_uint8x16& features, const FloodRegion& region, Point at, int excess) const
     {
         const Point offset = region.middle - 2 * at;
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
@@ -47,7 +47,7 @@ public:
         v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
         if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
         {
-            const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(features));
+            const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(v_reinterpret_as_u32(features)));
             const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), depth)); // all bits
             const v_int16x8 odd_away_too = difference(odd, pairsWithDepth(region, at));
             const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
@@ -146,13 +146,6 @@ public:
 private:
     enum { CLOSED = -1, NOT_WAITING = FloodBuffers::PRIORITIES };
 
-    unsigned bitsOf(int block) const
-    {
-        unsigned bits;
-        memcpy(&bits, features_ + block, sizeof(bits));
-        return bits;
-    }
-
     //! A region that holds both colours of a pattern is nearer to all blocks than others, which wait for their first
     //! block of the other colour. So it must not grow without end.
     int excessOf(const FloodRegion& region) const
@@ -168,9 +161,9 @@ private:
         const FloodRegion& region = regions_[label];
         short* waiting = &waiting_[block - first_];
         const v_int16x8 before(waiting[-1], waiting[-step_], waiting[1], waiting[step_], 0, 0, 0, 0);
-        const v_int16x8 limited = v_min(priorities_of_(v_uint32x4(bitsOf(block - 1), bitsOf(block - step_),
-                                                                  bitsOf(block + 1), bitsOf(block + step_)), region, p,
-                                                       excessOf(region)),
+        const Feature* const at = features_ + block;
+        const v_uint8x16 neighbors = loadFour(at[-1], at[-step_], at[1], at[step_]);
+        const v_int16x8 limited = v_min(priorities_of_(neighbors, region, p, excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
         short priorities[8];

@@ -4,6 +4,7 @@
 
 #include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/block_gradient.hpp"
+#include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/region_names.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/region_measure.hpp"
@@ -23,10 +24,11 @@ void RegionTracker::keep(const Plan& plan, const Mat& labels)
     labels.copyTo(last_.labels);
 }
 
-bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Mat& mask, BoundarySweeper& sweeper,
+bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                           Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
+    const FeatureMap& features = pyramid[plan.levels.top];
     if (plan.levels.side(plan.levels.top) != last_.side)
         return false;
     std::vector<int64> errors;
@@ -42,7 +44,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap& features, const Ma
     if (change.changed_area > change.area / 2)
         return false;
     if (change.changed_area > 0)
-        replaceChanged(plan, features, mask, change, labels, regions);
+        replaceChanged(plan, pyramid, mask, change, labels, regions);
     return true;
 }
 
@@ -60,11 +62,12 @@ RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors
 }
 
 //! The errors of the new regions are what later ones are measured by.
-void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change,
+void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, Change& change,
                                    Padded<int>& labels, Regions& regions)
 {
+    const FeatureMap& features = pyramid[plan.levels.top];
     const int num_kept = floodChanged(plan, features, mask, change, labels, regions);
-    mergeAll(plan, features, num_kept, change, labels, regions);
+    mergeAll(plan, pyramid, num_kept, change, labels, regions);
     std::vector<int64> errors;
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
     for (size_t i = 0; i < errors.size(); i++)
@@ -110,14 +113,16 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionTracker::mergeAll(const Plan& plan, const FeatureMap& features, int num_kept, Change& change,
+void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, Change& change,
                              Padded<int>& labels, Regions& regions)
 {
-    Mat map = labels.view();
+    const FeatureMap& features = pyramid[plan.levels.top];
+    Mat map = labels.view(), steps;
     std::vector<int> areas(regions.size()), numbers;
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
     MergeBuffers buffers;
+    measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), steps, buffers.textures);
     buffers.graph.build(map, regions.size(), features, plan.flood_distance);
     MergeRules rules = plan.merge_rules;
     rules.num_kept = num_kept;

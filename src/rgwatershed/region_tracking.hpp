@@ -27,7 +27,7 @@ public:
     //! The regions of the last frame, moved to where their things are now. Regions that explain the image much worse
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with
     //! labels and regions that are of no use, if most of the scene is new or other blocks were flooded.
-    bool track(const Plan& plan, const FeatureMap& features, const Mat& mask, BoundarySweeper& sweeper,
+    bool track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                Padded<int>& labels, Regions& regions);
 
 private:
@@ -39,11 +39,11 @@ private:
     };
 
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
-    void replaceChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change,
+    void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, Change& change,
                         Padded<int>& labels, Regions& regions);
     int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, const Change& change,
                      Padded<int>& labels, Regions& regions);
-    void mergeAll(const Plan& plan, const FeatureMap& features, int num_kept, Change& change, Padded<int>& labels,
+    void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, Change& change, Padded<int>& labels,
                   Regions& regions);
 
     //! What a frame leaves for the next one.

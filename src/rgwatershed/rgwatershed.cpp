@@ -37,7 +37,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
-    else if (!frame.continues || !tracker_.track(plan, features_[top], mask, sweepers_[top], labels_[top], regions_))
+    else if (!frame.continues || !tracker_.track(plan, features_, mask, sweepers_[top], labels_[top], regions_))
     {
         const int markers_in_cell = floodBlocks(plan, mask);
         sweepAndMerge(plan, markers_in_cell, merge_buffers);
@@ -106,21 +106,12 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
         sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
         sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
     }
-    measureTextures(plan, merge_buffers.textures);
+    measureBlockTextures(features_, plan.levels, plan.flood_distance, labels, regions_.size(), steps_,
+                         merge_buffers.textures);
     mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
     if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
         merge_buffers = MergeBuffers();
-}
-
-//! Those of regions of blocks, if they count. Pixels that are merged as they are have none.
-void RGWatershed::measureTextures(const Plan& plan, std::vector<RegionTexture>& textures)
-{
-    textures.clear();
-    const int top = plan.levels.top;
-    if (top > 0)
-        measureBlockTextures(features_[top - 1], plan.levels.grid(top, features_[0].size()), plan.flood_distance,
-                             labels_[top], regions_.size(), steps_, textures);
 }
 
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.

@@ -33,7 +33,6 @@ public:
 private:
     int floodBlocks(const Plan& plan, const Mat& mask);
     void sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers);
-    void measureTextures(const Plan& plan, std::vector<RegionTexture>& textures);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);

@@ -146,19 +146,11 @@ private:
         return pair;
     }
 
-    template <typename T> static unsigned bitsOf(const T& value)
-    {
-        unsigned bits = 0;
-        memcpy(&bits, &value, sizeof(value));
-        return bits;
-    }
-
     //! Four features, in steps.
     static void loadFeatures(const Feature* const* f, v_int16x8& low, v_int16x8& high)
     {
-        const v_uint32x4 features(bitsOf(*f[0]), bitsOf(*f[1]), bitsOf(*f[2]), bitsOf(*f[3]));
         v_uint16x8 low_levels, high_levels;
-        v_expand(v_reinterpret_as_u8(features), low_levels, high_levels);
+        v_expand(loadFour(*f[0], *f[1], *f[2], *f[3]), low_levels, high_levels);
         low = v_reinterpret_as_s16(v_shl<4>(low_levels));
         high = v_reinterpret_as_s16(v_shl<4>(high_levels));
     }
@@ -254,9 +246,8 @@ private:
     //! What normals add. Both values of one that is not known are 0.
     v_int32x4 ofNormals(const Normal* const* n, const v_int32x4& means) const
     {
-        const v_uint32x4 words(bitsOf(*n[0]), bitsOf(*n[1]), bitsOf(*n[2]), bitsOf(*n[3]));
         v_uint16x8 low, high;
-        v_expand(v_reinterpret_as_u8(words), low, high);
+        v_expand(loadFour(*n[0], *n[1], *n[2], *n[3]), low, high);
         v_int32x4 normals, rest;
         splitPairs(v_reinterpret_as_s16(v_shl<4>(low)), v_reinterpret_as_s16(v_shl<4>(high)), normals, rest);
         const v_int16x8 lower = v_min(v_reinterpret_as_s16(normals), v_reinterpret_as_s16(means));

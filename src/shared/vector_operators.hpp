@@ -64,6 +64,19 @@ template <typename V> inline V equal(const V& a, const V& b) { return chooseEqua
 inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
 inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }
 
+template <typename T> inline unsigned bitsOf(const T& value)
+{
+    unsigned bits = 0;
+    memcpy(&bits, &value, sizeof(value));
+    return bits;
+}
+
+//! Values of at most four bytes each, in words.
+template <typename T> inline v_uint8x16 loadFour(const T& a, const T& b, const T& c, const T& d)
+{
+    return v_reinterpret_as_u8(v_uint32x4(bitsOf(a), bitsOf(b), bitsOf(c), bitsOf(d)));
+}
+
 //! The lower ones of pairs of 16 bits, with 0 in the place of the upper ones.
 inline v_int16x8 lowerHalves(const v_int32x4& pairs)
 {
