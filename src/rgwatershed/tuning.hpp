@@ -36,7 +36,7 @@ static const int ERROR_GROWTH = 2, ERROR_FLOOR = 32;
 // Weights of lightness and of the colour differences, in 1/256. Lightness varies most within
 // things, by shading, so it leads less in finding regions than in settling their boundaries.
 static const int FLOOD_LIGHTNESS = 112, FLOOD_CHROMA = 256;
-static const int SWEEP_LIGHTNESS = 132, SWEEP_CHROMA = 336;
+static const int SWEEP_LIGHTNESS = 146, SWEEP_CHROMA = 336;
 
 // How much more depth and normals count beside colour than depth alone does, and the levels of depth that one of the
 // 127 levels of a normal is worth. Found on one half of the frames of mOSD.
@@ -92,7 +92,7 @@ inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 
 //! Merging of regions of blocks.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 56, 92, 50, 0, 33, 45, 0, 0, 0, -24, 128, 3.3f, 0, 1, false, 0, true };
+    MergeRules rules = { 56, 56, 92, 50, 0, 28, 42, 0, 0, 0, -24, 128, 3.2f, 0, 1, false, 0, true };
     rules.length = mergeLength(ruler);
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
