@@ -40,10 +40,10 @@ public:
     template <typename Find> void addRow(int cols, int first, int step, const Find& find);
     enum { AT_ONCE = 16 };
 
-    Part part(int c, int row) const
+    Part part(int c, const Range& rows) const
     {
-        const int* ends = &ends_[c][row - first_row_];
-        const Part result = { pixels_[c].data() + ends[0], ends[1] - ends[0] };
+        const int first = ends_[c][rows.start - first_row_], last = ends_[c][rows.end - first_row_];
+        const Part result = { pixels_[c].data() + first, last - first };
         return result;
     }
 

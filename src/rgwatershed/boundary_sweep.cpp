@@ -49,8 +49,6 @@ struct ClassRows
         return result;
     }
 
-    bool has(int c, int row) const { return row >= rows[c].start && row < rows[c].end; }
-
     Range rows[NUM_CLASSES];
 };
 
@@ -70,30 +68,47 @@ public:
     void run(const ClassRows& classes)
     {
         const int ORDER[NUM_CLASSES] = { 0, 2, 1, 3 }, LAGS[NUM_CLASSES] = { 0, 1, 1, 2 };
-        for (int row = classes.rows[0].start; row < classes.rows[3].end + LAGS[3]; row++)
+        const int at_once = choice_.needsPlaces() ? 1 : ROWS_AT_ONCE;
+        for (int row = classes.rows[0].start; row < classes.rows[3].end + LAGS[3]; row += at_once)
             for (int i = 0; i < NUM_CLASSES; i++)
             {
-                const int c = ORDER[i];
-                if (classes.has(c, row - LAGS[c]))
-                    sweepRow(c, row - LAGS[c]);
+                const int c = ORDER[i], first = row - LAGS[c];
+                sweepRows(c, classes.rows[c] & Range(first, first + at_once));
             }
     }
 
 private:
-    //! The pixels of a class in a row of quads.
-    void sweepRow(int c, int row)
+    enum { ROWS_AT_ONCE = 8 }; // of quads: a row alone has few pixels, and each loop ends with a branch
+
+    void sweepRows(int c, const Range& rows)
     {
-        const BoundaryList::Part part = sweeper_.listOf(row / BAND_HEIGHT).part(c, row);
-        const int y = 2 * row + (c >> 1), left = labels_.index(Point(0, y));
-        uchar* const marks = sweeper_.marks_.row(row);
+        for (int row = rows.start, end; row < rows.end; row = end)
+        {
+            const int band = row / BAND_HEIGHT;
+            end = std::min(rows.end, (band + 1) * BAND_HEIGHT);
+            sweepPart(c, row, sweeper_.listOf(band).part(c, Range(row, end)));
+        }
+    }
+
+    //! The pixels of a class in rows of quads from one on.
+    void sweepPart(int c, int row, const BoundaryList::Part& part)
+    {
+        Point p(0, 2 * row + (c >> 1));
+        int left = labels_.index(p);
+        uchar* marks = sweeper_.marks_.row(row);
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
             const int count = std::min<int>(part.count - first, RegionChoice::BATCH);
-            const int n = choice_.findGains(part.pixels + first, count, y, gains);
+            const int n = choice_.findGains(part.pixels + first, count, p.y, gains);
             for (int i = 0; i < n; i++)
             {
-                const Point p(gains[i].pixel - left, y);
+                for (; gains[i].pixel - left >= labels_.step(); p.y += 2)
+                {
+                    left += 2 * labels_.step();
+                    marks += marks_step_;
+                }
+                p.x = gains[i].pixel - left;
                 if (sums_[gains[i].region].area <= rules_.most_area &&
                     (all_permitted_ || permits(p, gains[i].region)))
                     move(c, marks + p.x / 2, gains[i]);

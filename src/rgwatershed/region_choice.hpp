@@ -27,9 +27,12 @@ public:
     RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,
                  const Regions& regions, const RegionDistance& distance, int length_price);
 
-    //! Of up to BATCH pixels of row y, finds those that are better off in the region of a 4-neighbour, and the best one
-    //! for each. Returns how many. Pixels that cannot leave are none of them. Behind the last pixel are three more to
-    //! read.
+    //! Whether findGains() must know in which row its pixels are, because regions have surfaces.
+    bool needsPlaces() const { return distance_.with_surfaces; }
+
+    //! Of up to BATCH pixels, all of row y if places are needed, finds those that are better off in the region of a
+    //! 4-neighbour, and the best one for each. Returns how many. Pixels that cannot leave are none of them. Behind the
+    //! last pixel are three more to read.
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
