@@ -40,12 +40,24 @@ public:
 
 private:
     //! False for types of which no part is the usual one.
-    bool findNominal(FloatRange& range) const
+    bool findNominal(FloatRange& range)
     {
-        const FloatRange words = { 0, 65535 }, chars = { -128, 127 }, unit = { 0, 1 };
+        const FloatRange chars = { -128, 127 }, unit = { 0, 1 };
         const int depth = image_.depth();
-        range = depth == CV_16U ? words : depth == CV_8S ? chars : unit;
+        range = depth == CV_16U ? rangeOfBits() : depth == CV_8S ? chars : unit;
         return depth != CV_16S && depth != CV_32S;
+    }
+
+    //! Cameras give 10, 12, or 14 bits in 16: the fewest, but 8 at least, that hold the values without outliers.
+    FloatRange rangeOfBits()
+    {
+        const auto highest = values_.end() - 1 - values_.size() / OUTLIERS;
+        std::nth_element(values_.begin(), highest, values_.end());
+        int levels = 256;
+        while (float(levels) <= *highest)
+            levels *= 2;
+        const FloatRange range = { 0, float(levels - 1) };
+        return range;
     }
 
     //! The finite values of a sample.

@@ -192,7 +192,7 @@ TEST_P(ximgproc_GWatershed_real_inputs, a_sixteenth_of_the_usual_range_is_enough
     for (int depth : { CV_16U, CV_32F, CV_64F })
         for (int span : { 14, 18 }) // of 255
         {
-            const Mat image = twoValues(side, 100 + span, 100, 0, CV_8UC3);
+            const Mat image = twoValues(side, 200 + span, 200, 0, CV_8UC3);
             const double white = depth == CV_16U ? 65535 : 1;
             Mat converted;
             image.convertTo(converted, depth, white / 255);
@@ -208,6 +208,20 @@ TEST_P(ximgproc_GWatershed_real_inputs, a_sixteenth_of_the_usual_range_is_enough
                 EXPECT_TRUE(equalMats(segment(image, GetParam(), 10), labelsOf(gws))) << depth;
             EXPECT_EQ(span < 255 / 16, highest > span + 1) << depth;
         }
+}
+
+// The most of 12 bits is 4095, and an image of 8 bits in words is as it was in bytes.
+TEST_P(ximgproc_GWatershed_real_inputs, words_of_any_number_of_bits)
+{
+    Mat image = makeScene(Size(160, 120), theRNG());
+    image(Rect(0, 0, 20, 20)).setTo(Scalar::all(255));
+    const Mat expected = segment(image, GetParam(), 10);
+    for (int bits = 8; bits <= 16; bits++)
+    {
+        Mat words;
+        image.convertTo(words, CV_16U, ((1 << bits) - 1) / 255.);
+        EXPECT_TRUE(equalMats(expected, segment(words, GetParam(), 10))) << bits;
+    }
 }
 
 TEST_P(ximgproc_GWatershed_real_inputs, a_range_that_is_set_holds_for_all_frames)

@@ -124,9 +124,7 @@ void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int nu
     MergeBuffers buffers;
     measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), steps, buffers.textures);
     buffers.graph.build(map, regions.size(), features, plan.flood_distance);
-    MergeRules rules = plan.merge_rules;
-    rules.num_kept = num_kept;
-    SimilarMerger merger(plan.flood_distance, rules, buffers, regions);
+    SimilarMerger merger(plan.flood_distance, trackedMergeRules(plan.merge_rules, num_kept), buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();
     nameGroups(parents, areas, names_, num_kept, numbers);

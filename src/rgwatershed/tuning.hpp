@@ -102,6 +102,17 @@ inline MergeRules mergeRules(float ruler)
     return rules;
 }
 
+//! Merging of what has changed in a video, where the first regions are kept. Parts of even areas must unite before any of
+//! these do: textures, which the noise of a camera is, too, would make the regions of even areas the cheapest.
+inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
+{
+    MergeRules rules = of_images;
+    rules.num_kept = num_kept;
+    rules.texture = rules.direction = 0;
+    rules.noise *= 2;
+    return rules;
+}
+
 //! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
 inline MergeRules pixelMergeRules(float ruler)
 {

@@ -22,7 +22,7 @@ enum GWatershedType
     //! from which the flood reaches it. One pass; `ruler` and `num_iterations` have no effect.
     GWATERSHED = 200,
     //! Region-guided watershed, the default: the priority of a pixel is its distance to the mean of the region
-    //! that reaches it. Better than GWATERSHED in every measure of quality.
+    //! that reaches it. Better than GWATERSHED in every measure of quality but compactness.
     RGWATERSHED = 201
 };
 
@@ -98,8 +98,8 @@ class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 public:
     /** @brief Number of superpixels N of the current segmentation, 0 before the first iterate().
 
-    N is the number asked for, or the number of pixels if that is smaller. enforceLabelConnectivity() and
-    mergeSimilar() reduce it. With a mask or with user markers see setMask() and setMarkers().
+    N is the number asked for, or the number of pixels if that is smaller. mergeSimilar() sets a lower one;
+    enforceLabelConnectivity() and mergeSmall() may reduce it. With a mask or markers see setMask() and setMarkers().
     */
     CV_WRAP virtual int getNumberOfSuperpixels() const = 0;
 
@@ -196,7 +196,7 @@ public:
 
     The first call after iterate() finds the order of all unions; each call applies the first part of it. So partitions
     for all numbers are nested, and later calls cost little more than writing labels. Superpixels stay connected.
-    Labels keep their order, without gaps. enforceLabelConnectivity() starts a new order if it merges something.
+    Labels keep their order, without gaps. enforceLabelConnectivity() and mergeSmall() start a new order if they merge.
 
     Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for colour, texture and more:
     @f[ (d^2 + 4 s \min(n_a, n_b) + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
@@ -332,8 +332,8 @@ public:
 
     /** @brief Sets the compactness.
     @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and
-    boundaries are ragged. Small values give high boundary recall, larger ones more compact superpixels; above
-    50 little changes. The effect does not depend on the bit depth of the image or on the size of superpixels.
+    boundaries are ragged. Small values give high boundary recall, larger ones more compact superpixels, though
+    never squares. The effect does not depend on the bit depth of the image or on the size of superpixels.
     GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
@@ -347,9 +347,9 @@ public:
     | effort | flood and merging | time | UE |
     |---|---|---|---|
     | 0 | fewer markers | 0.9 | 0.068 |
-    | 1 | as the class documentation says | 1 | 0.063 |
+    | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.059 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
     With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
@@ -406,11 +406,11 @@ public:
 
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
-    the default, for the usual range of the type: 0 to 65535 for CV_16U, -128 to 127 for CV_8S, 0 to 1 for floats.
-    If the image does not lie in it, but for one finite value in 1000, or spans less than a sixteenth of it, and for
-    CV_16S and CV_32S always, it is the range of the frame: from the lowest to the highest finite value, without one
-    value in 1000 at each end, of a sample if the image is large.
-    @note The range of a frame changes from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
+    the default, for the usual range: 0 to 255, 511, 1023, ... or 65535 for CV_16U, the first one that the values of the
+    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If the image does not lie in it, or spans less than a
+    sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the highest
+    finite value. One value in 1000 at each end does not count, nor all but a sample if the image is large.
+    @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
     */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
     /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
