@@ -51,7 +51,7 @@ private:
     //! Cameras give 10, 12, or 14 bits in 16: the fewest, but 8 at least, that hold the values without outliers.
     FloatRange rangeOfBits()
     {
-        const auto highest = values_.end() - 1 - values_.size() / OUTLIERS;
+        const auto highest = values_.end() - 1 - int(values_.size()) / OUTLIERS;
         std::nth_element(values_.begin(), highest, values_.end());
         int levels = 256;
         while (float(levels) <= *highest)

@@ -102,8 +102,8 @@ inline MergeRules mergeRules(float ruler)
     return rules;
 }
 
-//! Merging of what has changed in a video, where the first regions are kept. Parts of even areas must unite before any of
-//! these do: textures, which the noise of a camera is, too, would make the regions of even areas the cheapest.
+//! Merging of what has changed in a video, where the first regions are kept. Parts of even areas must unite before any
+//! of these do: textures, which the noise of a camera is, too, would make unions of kept regions the cheapest.
 inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
 {
     MergeRules rules = of_images;
