@@ -43,6 +43,7 @@ rm -rf "$place"
 mkdir -p "$logs"
 # Without this option the search for leaks of clang 14 breaks down where threads have ended.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
+export OPENCV_ENABLE_MEMALIGN=1 # else images have room at their end, which hides what is read there
 
 say "building and running under sanitizers and checkers; it takes some minutes"
 check "rooms" "$root/scripts/rooms.py"

@@ -146,7 +146,8 @@ void Segmenter::buildHierarchy(Segmentation& result)
     result.hierarchy.build(features, floodDistance(used, result.with_depth, features.withNormals()),
                            result.labels(result.bounds), result.number, merge_buffers_);
     // Kept where the segmentation keeps them: its own are as large.
-    if (hasLargeMergeBuffers(effortRules(used.effort).markers * result.number, result.bounds.area()))
+    if (used.algorithm == GWATERSHED ? hasLargeMergeBuffers(result.number, result.bounds.area())
+                                     : rgwatershed_.hasLargeMergeBuffers())
         merge_buffers_ = MergeBuffers();
 }
 

@@ -236,7 +236,7 @@ public:
     int getEffort() const CV_OVERRIDE { return parameters().effort; }
     void setAlpha(float alpha) CV_OVERRIDE { Change(*this)->setAlpha(alpha); }
     float getAlpha() const CV_OVERRIDE { return parameters().alpha; }
-    void setLabInput(bool uniform) CV_OVERRIDE { Change(*this)->lab_input = uniform; }
+    void setLabInput(bool lab_input) CV_OVERRIDE { Change(*this)->lab_input = lab_input; }
     bool getLabInput() const CV_OVERRIDE { return parameters().lab_input; }
     void setTemporal(bool temporal) CV_OVERRIDE { Change(*this)->temporal = temporal; }
     bool getTemporal() const CV_OVERRIDE { return parameters().temporal; }

@@ -18,7 +18,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     regions.resize(num_labels);
     measureRegions(features, labels, distance, regions, buffers.textures);
     buffers.graph.build(labels, num_labels, features, distance);
-    SimilarMerger merger(distance, MERGE_BY_TEXTURES, buffers, regions);
+    SimilarMerger merger(distance, mergeByTextures(), buffers, regions);
     unions_ = merger.runToTheEnd();
 
     labels_ = labels;

@@ -32,7 +32,7 @@ int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
     CV_TRACE_FUNCTION();
     RegionGraph graph;
     graph.reset(num_labels);
-    std::vector<int> areas(num_labels, 0), numbers, joined;
+    std::vector<int> areas(num_labels, 0), numbers;
     addBoundaries(labels, NoContrast(), graph);
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -50,7 +50,7 @@ int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
         if (to == RegionGraph::NONE)
             continue; // it has no neighbour
         small.erase(std::make_pair(areas[to], to));
-        graph.unite(from, to, joined);
+        graph.unite(from, to);
         areas[to] += areas[from];
         if (areas[to] < min_area)
             small.insert(std::make_pair(areas[to], to));

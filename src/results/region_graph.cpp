@@ -17,7 +17,6 @@ void RegionGraph::reset(int num_regions)
     boundaries_.clear();
     boundaries_.reserve(usual);
     firsts_.assign(num_regions, int(NONE));
-    degrees_.assign(num_regions, 0);
     parents_.resize(num_regions);
     for (int i = 0; i < num_regions; i++)
         parents_[i] = i;
@@ -27,10 +26,7 @@ void RegionGraph::reset(int num_regions)
 int RegionGraph::skipGone(int region, int& link)
 {
     while (link != NONE && !boundaries_[link].exists())
-    {
         link = boundaries_[link].next[boundaries_[link].side(region)];
-        degrees_[region]--;
-    }
     return link;
 }
 
@@ -98,15 +94,12 @@ void RegionGraph::add(int a, int b, int length, int64 contrast)
     }
     const Boundary boundary = { { a, b }, { firsts_[a], firsts_[b] }, length, contrast };
     firsts_[a] = firsts_[b] = int(boundaries_.size());
-    degrees_[a]++;
-    degrees_[b]++;
     boundaries_.push_back(boundary);
     addToTable(int(boundaries_.size()) - 1);
 }
 
-void RegionGraph::unite(int from, int to, std::vector<int>& joined)
+void RegionGraph::unite(int from, int to)
 {
-    joined.clear();
     for (int i = first(from); i != NONE;)
     {
         Boundary& boundary = boundaries_[i];
@@ -117,7 +110,6 @@ void RegionGraph::unite(int from, int to, std::vector<int>& joined)
             boundary.regions[side] = to;
             boundary.next[side] = firsts_[to];
             firsts_[to] = i;
-            degrees_[to]++;
             addToTable(i);
         }
         else
@@ -126,7 +118,6 @@ void RegionGraph::unite(int from, int to, std::vector<int>& joined)
             {
                 boundaries_[known].length += boundary.length;
                 boundaries_[known].contrast += boundary.contrast;
-                joined.push_back(known);
             }
             boundary.length = 0;
         }

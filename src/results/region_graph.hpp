@@ -38,16 +38,12 @@ public:
     //! All boundaries that were ever made.
     const std::vector<Boundary>& boundaries() const { return boundaries_; }
 
-    //! Number of neighbours of a region, or more.
-    int degree(int region) const { return degrees_[region]; }
-
     //! First boundary of a region, or NONE, and the next one.
     int first(int region);
     int next(int region, int boundary);
 
-    //! Moves the boundaries of a region to a neighbour, which takes it in. Lists in joined those of the
-    //! neighbour that have become longer.
-    void unite(int from, int to, std::vector<int>& joined);
+    //! Moves the boundaries of a region to a neighbour, which takes it in.
+    void unite(int from, int to);
 
     //! The region that took a region in, or the region itself where it is left.
     const std::vector<int>& parents() const { return parents_; }
@@ -63,7 +59,6 @@ private:
     std::vector<int> table_; // of the boundaries by their regions, in the first free slot; 2^k of them
     size_t num_filled_ = 0;  // slots, also by what is no more or has other regions now
     std::vector<int> firsts_;
-    std::vector<int> degrees_; // lengths of the lists, in which some may be no more
     std::vector<int> parents_;
 };
 

@@ -142,7 +142,7 @@ private:
         const int changed = *mask | own_mask;
         for (int row = 0; row < 3; row++)
         {
-            uchar* bytes = mask + (row - 1) * labels_.step() - 1;
+            uchar* bytes = mask + (row - 1) * labels_.step() - (row == 2 ? 2 : 1); // never behind the last row
             unsigned masks, changes;
             memcpy(&masks, bytes, sizeof(masks));
             memcpy(&changes, table_.changes(changed, row), sizeof(changes));

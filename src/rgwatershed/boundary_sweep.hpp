@@ -41,7 +41,7 @@ public:
     void sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
                      const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
-    //! Sweeps around the pixels that moved in the sweep before, of the same labels, until none does.
+    //! Sweeps around the pixels that moved in the sweep before, of the same labels: count times, or until none does.
     void sweepAgain(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                     Regions& regions);
 

@@ -20,13 +20,6 @@ static uchar meanDepth(const Feature* const* elements, int n)
     return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
 
-//! Sums of up to 1024, so 16 bits hold them.
-struct Halves
-{
-    explicit Halves(const v_uint8x16& v) { v_expand(v, low, high); }
-    v_uint16x8 low, high;
-};
-
 //! 12 over the number of elements that count: all four for colours, those with depth for depth. It is the largest of
 //! three lines over the numbers 1 to 4.
 static inline v_uint8x16 twelfths(const v_uint8x16& a, const v_uint8x16& b, const v_uint8x16& c, const v_uint8x16& d)

@@ -77,7 +77,7 @@ MaskTable::MaskTable() : of_windows_(), in_block_(), changes_()
         is_tip_[mask] = four == 1;
         can_leave_[mask] = pieces == 1 && (mask & FOUR_NEIGHBORS) != FOUR_NEIGHBORS;
         for (int k = 0; k < 8; k++)
-            changes_[mask][1 + DY[k]][1 + DX[k]] = (mask >> k) & 1 ? uchar(1 << ((k + 4) & 7)) : uchar(0);
+            changes_[mask][1 + DY[k]][1 + DX[k] + (DY[k] == 1)] = uchar(((mask >> k) & 1) << ((k + 4) & 7));
     }
     for (int side = 2; side <= 3; side++)
         for (int mask = 0; mask < 256; mask++)

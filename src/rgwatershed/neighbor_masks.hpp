@@ -16,7 +16,7 @@ namespace cv { namespace ximgproc { namespace gws {
 class MaskTable
 {
 public:
-    enum { FOUR_NEIGHBORS = 0xAA, ALL_AGREE = 12 };
+    enum { FOUR_NEIGHBORS = 0xAA };
 
     MaskTable();
 
@@ -56,7 +56,7 @@ public:
     const BlockRow* rowsOfBlocks(int side, int row) const { return in_block_[side - 2][row]; }
 
     //! What changes in the masks of the neighbours if the pixel in the middle changes its label, and the neighbours of
-    //! the mask have the old or the new one: 4 bytes from the left for each row, the last of them 0.
+    //! the mask have the old or the new one: 4 bytes for each row. One too many, 0, is the last, or below the first.
     const uchar* changes(int mask, int row) const { return changes_[mask][row]; }
 
 private:

@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGION_NAMES_HPP
 #define OPENCV_GWATERSHED_REGION_NAMES_HPP
 
-#include "shared/region_distance.hpp"
+#include "precomp.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,10 +15,6 @@ namespace cv { namespace ximgproc { namespace gws {
 //! else gets a free one. There are as many labels as groups.
 void nameGroups(const std::vector<int>& parents, const std::vector<int>& areas, const std::vector<int>& names,
                 int num_kept, std::vector<int>& labels);
-
-//! Sum of the squared distances of the pixels of each region to its mean, in squared levels.
-void measureErrors(const FeatureMap& features, const RegionDistance& distance, const Padded<int>& labels,
-                   const Regions& regions, std::vector<int64>& errors);
 
 }}} // namespace
 

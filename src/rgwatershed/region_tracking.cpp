@@ -12,6 +12,32 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+static int errorAt(const FeatureMap& features, Point p, const RegionDistance& distance, const Regions& regions,
+                   int region)
+{
+    const Feature& feature = features.row(p.y)[p.x];
+    const RegionMean& mean = regions.means[region];
+    if (!regions.surfaces.present)
+        return distance.squared(feature, mean);
+    return distance.squared(feature, features.normalAt(p), mean, regions.surfaces.means[region], p);
+}
+
+//! Sum of the squared distances of the pixels of each region to its mean, in squared levels.
+static void measureErrors(const FeatureMap& features, const RegionDistance& distance, const Padded<int>& labels,
+                          const Regions& regions, std::vector<int64>& errors)
+{
+    CV_TRACE_FUNCTION();
+    errors.assign(regions.size(), 0);
+    const Size size = labels.size();
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+        {
+            const int label = labels.row(y)[x];
+            if (label >= 0)
+                errors[label] += errorAt(features, Point(x, y), distance, regions, label);
+        }
+}
+
 void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Padded<int>& labels,
                           const Regions& regions)
 {

@@ -33,6 +33,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
+    has_large_merge_buffers_ = gws::hasLargeMergeBuffers(plan.num_markers, frame.color.size().area());
     makePyramid(frame, parameters.lab_input, plan.levels, features_);
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
@@ -110,7 +111,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
                          merge_buffers.textures);
     mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
                         regions_);
-    if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
+    if (has_large_merge_buffers_)
         merge_buffers = MergeBuffers();
 }
 

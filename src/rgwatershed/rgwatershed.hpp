@@ -27,6 +27,9 @@ public:
     //! The CV_32SC1 labels of the last run, below 0 where there is none, in the memory that the next run writes to.
     Mat labels() { return labels_[0].view(); }
 
+    //! Whether the last run did not keep the buffers of merging.
+    bool hasLargeMergeBuffers() const { return has_large_merge_buffers_; }
+
     //! Features of the pixels of the last run.
     FeatureMap features() const { return features_[0]; }
 
@@ -45,6 +48,7 @@ private:
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];
     RegionTracker tracker_;
+    bool has_large_merge_buffers_ = false;
 
     // Buffers.
     Mat gradient_, steps_;

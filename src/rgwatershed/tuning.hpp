@@ -92,8 +92,17 @@ inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 
 //! Merging of regions of blocks.
 inline MergeRules mergeRules(float ruler)
 {
-    MergeRules rules = { 56, 56, 92, 50, 0, 28, 42, 0, 0, 0, -24, 128, 3.2f, 0, 1, false, 0, true };
+    MergeRules rules;
+    rules.distance = rules.with_depth = 56;
+    rules.areas = 92;
+    rules.contrast = 50;
     rules.length = mergeLength(ruler);
+    rules.lightness = 28;
+    rules.brightness = 42;
+    rules.slope = -24;
+    rules.roughness = 128;
+    rules.usual = 3.2f;
+    rules.grow = true;
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
@@ -116,7 +125,7 @@ inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
 //! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
 inline MergeRules pixelMergeRules(float ruler)
 {
-    MergeRules rules = MERGE_BY_TEXTURES;
+    MergeRules rules = mergeByTextures();
     rules.usual = 3.6f;
     rules.length = cvRound(double(rules.length) * mergeLength(ruler) / mergeLength(10));
     return rules;

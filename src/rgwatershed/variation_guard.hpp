@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 class VariationGuard
 {
 public:
-    //! color is 8-bit with any number of channels; the first three count.
+    //! color is 8-bit with 1, 3 or 4 channels; the first three count.
     VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions);
 
     //! Whether a pixel is as near to the mean colour of the region `to` as to that of `from`, or nearer.

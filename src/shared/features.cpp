@@ -9,13 +9,6 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { STRIDE = 16 }; // pixels that are converted at once
 
-//! 16 channel values as 16-bit numbers. Their sums are 1024 at most, so 16 bits are enough.
-struct Halves
-{
-    explicit Halves(const v_uint8x16& v) { v_expand(v, low, high); }
-    v_uint16x8 low, high;
-};
-
 //! Of numbers up to 255, which need no saturation.
 static inline v_uint8x16 packBytes(const v_uint16x8& low, const v_uint16x8& high)
 {

@@ -53,8 +53,8 @@ public:
         return distance;
     }
 
-    //! Colours say little about things whose depth is known: what is not a distance, as lightness and textures, counts
-    //! as much as colour counts more than depth.
+    //! Colours say little about things whose depth is known: what is not a distance, as lightness and the textures of
+    //! blocks, counts as much as colour counts more than depth.
     int shareOfColor(int exponent) const
     {
         return with_depth ? exponent * (FULL_WEIGHT - beside_color) / FULL_WEIGHT : exponent;

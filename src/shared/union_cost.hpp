@@ -12,29 +12,46 @@ namespace cv { namespace ximgproc { namespace gws {
 //! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/64.
 struct MergeRules
 {
-    int distance;   //!< of the means
-    int with_depth; //!< the same where there is depth
-    int areas;      //!< n1 n2 / (n1 + n2)
-    int contrast;   //!< across the common boundary
-    int length;     //!< of the boundary: long ones make it cheap
-    int lightness;  //!< a difference of it makes it cheap, because shading varies within things
-    int brightness; //!< makes it cheap, because bright colours differ more
-    int chroma;     //!< a difference of it makes it expensive
-    int texture;    //!< of the smoother region makes it cheap: differences mean less there
-    int direction;  //!< of textures that run in different ones
-    int slope;      //!< what a squared slope that both have adds to the squared distance, or takes away
-    int roughness;  //!< so much of it, in 1/64, is no slope
-    float usual;    //!< areas of unions, in mean areas at the end; larger ones are expensive
-    int noise;      //!< a squared distance that means little, in 1/64 of a squared level
-    int in_cell;    //!< so many regions of consecutive numbers share a cell of a grid
-    bool on_surface; //!< areas are those on the surface, not in the image
-    int num_kept;    //!< so many regions, the first ones, stay apart rather than any others
-    bool grow;       //!< what is united grows broader later, when boundaries are settled
+    int distance = 0;      //!< of the means
+    int with_depth = 0;    //!< the same where there is depth
+    int areas = 0;         //!< n1 n2 / (n1 + n2)
+    int contrast = 0;      //!< across the common boundary
+    int length = 0;        //!< of the boundary: long ones make it cheap
+    int lightness = 0;     //!< a difference of it makes it cheap, because shading varies within things
+    int brightness = 0;    //!< makes it cheap, because bright colours differ more
+    int chroma = 0;        //!< a difference of it makes it expensive
+    int texture = 0;       //!< of the smoother region makes it cheap: differences mean less there
+    int direction = 0;     //!< of textures that run in different ones
+    int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
+    int roughness = 0;     //!< so much of it, in 1/64, is no slope
+    float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
+    int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
+    int in_cell = 1;       //!< so many regions of consecutive numbers share a cell of a grid
+    bool on_surface = false; //!< areas are those on the surface, not in the image
+    int num_kept = 0;      //!< so many regions, the first ones, stay apart rather than any others
+    bool grow = false;     //!< what is united grows broader later, when boundaries are settled
 };
 
 //! For regions of pixels whose textures are measured. Found by measurement, see doc/log.md.
-static const MergeRules MERGE_BY_TEXTURES = { 37, 56, 64, 61, 42, 25, 30, 10, 75, 32, 4, 21, 2.9f, 96, 1, false,
-                                              0, false };
+inline MergeRules mergeByTextures()
+{
+    MergeRules rules;
+    rules.distance = 37;
+    rules.with_depth = 56;
+    rules.areas = 64;
+    rules.contrast = 61;
+    rules.length = 42;
+    rules.lightness = 25;
+    rules.brightness = 30;
+    rules.chroma = 10;
+    rules.texture = 75;
+    rules.direction = 32;
+    rules.slope = 4;
+    rules.roughness = 21;
+    rules.usual = 2.9f;
+    rules.noise = 96;
+    return rules;
+}
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
@@ -67,11 +84,12 @@ struct FourRegions;
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (C + 1)^chroma
 //!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
 //!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
-//! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and down
-//! (of half of the elements), and q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps that are no slope, it is
+//! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
+//! down, half of those from one element to the next (2/3 for blocks of 3x3, where they are those between corners), and
+//! q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps that are no slope, it is
 //!     e = (smaller g^2 - (g1 - g2)^2 - (larger q)^2) * smaller n,   not below 0
-//! A slope below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 lets all of
-//! them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips across it.
+//! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
+//! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
 //! colours are equal. Between rough regions, the same differences mean less. Without the last factor, what holds both
 //! colours of a pattern is nearer to all around it than these are to each other, and takes in one after the other.

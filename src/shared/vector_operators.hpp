@@ -64,6 +64,13 @@ template <typename V> inline V equal(const V& a, const V& b) { return chooseEqua
 inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
 inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }
 
+//! The lower and the upper eight of sixteen bytes, in 16 bits, which hold the sums of some of them.
+struct Halves
+{
+    explicit Halves(const v_uint8x16& v) { v_expand(v, low, high); }
+    v_uint16x8 low, high;
+};
+
 template <typename T> inline unsigned bitsOf(const T& value)
 {
     unsigned bits = 0;

@@ -178,8 +178,8 @@ public:
     CV_WRAP virtual void enforceLabelConnectivity(int min_element_size = 25) = 0;
 
     /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
-
-    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is. */
+    @param min_area Smallest area allowed, in pixels, 0 or more. A superpixel without a neighbour stays as it is.
+    Throws cv::Exception before the first iterate(). */
     CV_WRAP virtual void mergeSmall(int min_area) = 0;
 
     //! @name After the segmentation
@@ -211,10 +211,10 @@ public:
     max(0, t - |g|_1 - 1.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
-    alpha weighs depth. Terms of lightness and s count less beside it, not if alpha is below 0.5.
+    alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
-    in the components of a mask. If N is not larger to begin with, nothing is merged.
+    in the components of a mask. If iterate() gave no more than that, nothing is merged.
 
     Throws cv::Exception before the first iterate().
     */
@@ -352,8 +352,8 @@ public:
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
-    With depth, and in temporal mode, 3 is the same as 2; a frame after a change starts from the beginning if the size
-    of the blocks changes. With user markers effort has no effect. */
+    With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2; a frame after a change starts from the
+    beginning if the size of the blocks changes. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
@@ -430,8 +430,8 @@ public:
     frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
     both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0.
 
-    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, its near end leaves out a
-    thousandth instead of a hundredth if the range becomes not much longer by that, and finer differences than 1/2500 of
+    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, its near end is the nearest
+    thousandth instead of the hundredth, but at most a quarter of the range nearer, and finer differences than 1/2500 of
     the inverse depth of the near end are none. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
