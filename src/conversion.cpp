@@ -72,7 +72,7 @@ private:
         visitSample(row_, (total + wanted - 1) / wanted, [&](int y, int x)
         {
             const uchar* value = image_.ptr(y) + size_t(x) * bytes;
-            if (mask_.empty() || mask_.at<uchar>(y, x / channels_))
+            if (counts(y, x))
                 raw.insert(raw.end(), value, value + bytes);
         });
         values_.clear();
@@ -83,9 +83,15 @@ private:
         std::copy_if(floats.begin<float>(), floats.end<float>(), std::back_inserter(values_), isFinite);
     }
 
+    //! Values outside of the mask and of a fourth channel do not count.
+    bool counts(int y, int x) const
+    {
+        return x % channels_ < 3 && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
+    }
+
     static bool isFinite(float value) { return std::abs(value) <= FLT_MAX; }
 
-    //! Calls visit(values, count) for the rows, as floats; outside of the mask they are NaN.
+    //! Calls visit(values, count) for the rows, as floats; those that do not count are NaN.
     template <typename Visit> void forRows(Visit visit) const
     {
         parallel_for_(Range(0, row_.height), [&](const Range& rows)
@@ -93,11 +99,11 @@ private:
             Mat floats;
             for (int y = rows.start; y < rows.end; y++)
             {
-                const bool as_it_is = image_.depth() == CV_32F && mask_.empty();
+                const bool all = mask_.empty() && channels_ <= 3, as_it_is = all && image_.depth() == CV_32F;
                 if (!as_it_is)
                     image_.row(y).convertTo(floats, CV_32F);
-                for (int x = 0; !mask_.empty() && x < row_.width; x++)
-                    if (!mask_.at<uchar>(y, x / channels_))
+                for (int x = 0; !all && x < row_.width; x++)
+                    if (!counts(y, x))
                         floats.ptr<float>()[x] = std::numeric_limits<float>::quiet_NaN();
                 visit(as_it_is ? image_.ptr<float>(y) : floats.ptr<float>(), row_.width);
             }

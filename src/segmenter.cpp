@@ -58,8 +58,9 @@ void Segmenter::segment(const Mat& image, const Mat& depth, const Mat& markers, 
     last_ = Last();
     result.start(image.size(), parameters, mask);
     const Rect bounds = result.bounds;
+    const bool uses_depth = !depth.empty() && (parameters.alpha < 1 || parameters.depth_adaptive);
     if (!bounds.empty())
-        run(makeFrame(image(bounds), depth.empty() ? Mat() : depth(bounds), markers.empty() ? Mat() : markers(bounds),
+        run(makeFrame(image(bounds), uses_depth ? depth(bounds) : Mat(), markers.empty() ? Mat() : markers(bounds),
                       result), last, num_iterations, result);
     result.complete = true;
 }

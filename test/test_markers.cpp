@@ -146,6 +146,26 @@ TEST_P(ximgproc_GWatershed_markers, are_copied_and_never_written_to)
     EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
 }
 
+TEST_P(ximgproc_GWatershed_markers, effort_has_no_effect)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 300; i++)
+    {
+        Mat image(rng.uniform(1, 15), rng.uniform(1, 25), CV_8UC1);
+        rng.fill(image, RNG::UNIFORM, 0, 256);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+        gws->setMarkers(makeMarkers(image.size(), 3, rng));
+        gws->iterate();
+        const Mat expected = labelsOf(gws);
+        for (int effort : { 0, 2, 3 })
+        {
+            gws->setEffort(effort);
+            gws->iterate();
+            EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << i << ", " << effort;
+        }
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_markers, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

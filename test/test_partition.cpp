@@ -90,6 +90,23 @@ TEST_P(ximgproc_GWatershed_partition, gives_the_number_asked_for)
     }
 }
 
+TEST_P(ximgproc_GWatershed_partition, gives_the_number_asked_for_in_a_row_and_in_a_column)
+{
+    for (int length : { 1, 2, 3, 9, 40, 244 })
+        for (int effort = 0; effort <= 3; effort++)
+            for (int number = 1; number <= length; number += 1 + length / 20)
+            {
+                Mat image(1, length, CV_8UC1);
+                theRNG().fill(image, RNG::UNIFORM, 0, 256);
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(length, 1, 1, number, GetParam());
+                gws->setEffort(effort);
+                gws->iterate(image);
+                EXPECT_EQ(number, gws->getNumberOfSuperpixels()) << length << ", " << effort;
+                gws->iterate(image.t());
+                EXPECT_EQ(number, gws->getNumberOfSuperpixels()) << length << ", " << effort;
+            }
+}
+
 TEST_P(ximgproc_GWatershed_partition, gives_each_pixel_its_own_label_if_more_are_asked_for)
 {
     const Mat image = makeScene(Size(23, 17), theRNG());

@@ -224,6 +224,22 @@ TEST_P(ximgproc_GWatershed_real_inputs, words_of_any_number_of_bits)
     }
 }
 
+TEST_P(ximgproc_GWatershed_real_inputs, the_fourth_channel_has_no_part_in_the_range)
+{
+    const Mat image = makeScene(Size(160, 120), theRNG());
+    const struct { int depth; double scale, alpha; } cases[] = {
+        { CV_16U, 4, 65535 }, { CV_16S, 4, 32767 }, { CV_32S, 100, 1e6 }, { CV_32F, 1. / 255, 255 }, { CV_64F, 3, -1e9 }
+    };
+    for (const auto& c : cases)
+    {
+        Mat colors, with_alpha;
+        image.convertTo(colors, c.depth, c.scale);
+        const Mat parts[] = { colors, Mat(image.size(), CV_MAKETYPE(c.depth, 1), Scalar(c.alpha)) };
+        merge(parts, 2, with_alpha);
+        EXPECT_TRUE(equalMats(segment(colors, GetParam(), 10), segment(with_alpha, GetParam(), 10))) << c.depth;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_real_inputs, a_range_that_is_set_holds_for_all_frames)
 {
     const Mat image = makeScene(Size(160, 120), theRNG());

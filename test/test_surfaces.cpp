@@ -336,4 +336,20 @@ TEST(ximgproc_GWatershed_surfaces, each_table_is_the_same_alone)
     }
 }
 
+TEST(ximgproc_GWatershed_surfaces, alpha_1_is_colour_alone)
+{
+    const Rect part(0, 0, 301, 221); // which blocks do not divide
+    const Mat image = makeScene(SIZE, theRNG())(part), depth = makePlane(1500, 0.5, 0.2)(part);
+    for (int effort = 0; effort <= 2; effort++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, 3, 200);
+        gws->setEffort(effort);
+        gws->iterate(image);
+        const Mat expected = labelsOf(gws);
+        gws->setAlpha(1);
+        gws->iterate(image, depth);
+        EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << effort;
+    }
+}
+
 }} // namespace

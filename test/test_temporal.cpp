@@ -254,4 +254,35 @@ TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_appear_where_a_thi
     }
 }
 
+// Sweeps that move regions along must not let them grow without end.
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_grows_while_things_scroll)
+{
+    RNG& rng = theRNG();
+    const Size size(160, 120);
+    for (int scene = 0; scene < 10; scene++)
+        for (int effort = 0; effort <= 3; effort++)
+        {
+            Mat frame(size, CV_8UC3, Scalar(rng.uniform(0, 256), rng.uniform(0, 256), rng.uniform(0, 256)));
+            for (int i = 0; i < 15; i++)
+            {
+                const Rect box(rng.uniform(-5, 150), rng.uniform(-5, 110), rng.uniform(5, 70), rng.uniform(5, 60));
+                const Scalar color(rng.uniform(0, 256), rng.uniform(0, 256), rng.uniform(0, 256));
+                rectangle(frame, box, color, FILLED);
+            }
+            Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 120);
+            gws->setEffort(effort);
+            for (int i = 0; i < 9; i++)
+            {
+                gws->iterate(frame);
+                const Mat labels = labelsOf(gws);
+                for (int k = 0; k < 120; k++)
+                    EXPECT_LE(countNonZero(labels == k), 6 * size.area() / 120) << scene << ", " << effort << ", " << i;
+                Mat moved = frame.clone();
+                const Size part(size.width - 3, size.height - 2);
+                frame(Rect(Point(), part)).copyTo(moved(Rect(Point(3, 2), part)));
+                frame = moved;
+            }
+        }
+}
+
 }} // namespace

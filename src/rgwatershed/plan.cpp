@@ -37,6 +37,8 @@ static const EffortRules& effortRules(const Frame& frame, const Parameters& para
 {
     const int MOST_ON_BLOCKS = 2;
     const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
+    if (!frame.markers.empty())
+        return effortRules(Parameters().effort); // nothing is flooded in blocks, nor merged
     return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
 }
 

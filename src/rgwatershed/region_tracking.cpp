@@ -62,8 +62,9 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     last_.labels.copyTo(labels.view());
     regions.resize(int(last_.errors.size()));
     measureRegions(features, last_.labels, regions);
-    sweeper.sweepAll(features, plan.sweep, labels, regions);
-    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1, features, plan.sweep, labels, regions);
+    const SweepRules rules = plan.sweepOn(plan.levels.top);
+    sweeper.sweepAll(features, rules, labels, regions);
+    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1, features, rules, labels, regions);
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);

@@ -136,8 +136,8 @@ inline MergeRules pixelMergeRules(float ruler)
 inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, const EffortRules& effort)
 {
     const double side = std::sqrt(double(num_pixels) / num_superpixels);
-    return num_superpixels * std::min(effort.blocks_for_side * side, effort.most_blocks) *
-           (2 - std::min(ruler / 10, 1.f));
+    const double regular = std::min(effort.blocks_for_side * side, effort.most_blocks);
+    return num_superpixels * std::max(regular * (2 - std::min(ruler / 10, 1.f)), 1.);
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.

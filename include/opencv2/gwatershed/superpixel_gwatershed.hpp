@@ -110,9 +110,9 @@ public:
 
     @param num_iterations Number of iterations, 1 or more. For RGWATERSHED each iteration after the first moves
     more boundary pixels, and only where the mean colours of the superpixels explain the image as well or better
-    afterwards: the explained variation of the 8-bit image never falls. The time of an iteration is proportional
-    to the boundary that still moves; when nothing moves, the rest are skipped. From the 17th iteration on no
-    pixel moves because of depth alone. GWATERSHED makes one pass for any number.
+    afterwards: the explained variation of the 8-bit image (of two channels, with their mean as a third) never falls.
+    The time of an iteration is proportional to the boundary that still moves; when nothing moves, the rest are
+    skipped. From the 17th iteration on no pixel moves because of depth alone. GWATERSHED makes one pass for any number.
 
     ![After 1, 2, 4 and 8 iterations](pics/gwatershed_iterations.jpg)
 
@@ -391,7 +391,7 @@ public:
     its last region; the markers of regions that have nearly vanished move into the largest ones. Boundaries also
     move a little on a still image.
 
-    A frame starts from the beginning if it is the first one or the first after clear(), if its size, mask,
+    A frame starts from the beginning if it is the first one or the first after clear() or setMask(), if its size,
     algorithm or number of superpixels differs from that of the last frame, if it has user markers, and, for
     RGWATERSHED, if the ruler has changed so much that the size of the blocks changes.
     @note mergeSimilar() and enforceLabelConnectivity() renumber the labels of one frame only. The next frame
