@@ -72,7 +72,9 @@ void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, 
     const BlockGrid grid = levels.grid(levels.top, pyramid[0].size());
     const Size size = labels.size();
     const int padded_width = int(alignSize(size.width, AT_ONCE));
-    const short* w = distance.weights[0];
+    short w[3]; // corners of blocks of 3x3 are 2/3 of their side apart, those of 2x2 half of it
+    for (int k = 0; k < 3; k++)
+        w[k] = short(distance.weights[0][k] * grid.side / (2 * (grid.side - 1)));
     const v_int16x8 weights(w[0], w[1], w[2], 0, w[0], w[1], w[2], 0);
     const v_int16x8 of_lightness(w[0], 0, w[0], 0, w[0], 0, w[0], 0);
     std::vector<int> lefts(padded_width, 0), rights(padded_width, 0);

@@ -11,8 +11,9 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The texture of each region of blocks of the top level: the mean steps across and down inside of each block, and
-//! those of lightness with their signs, between those of its elements that lie at its corners. They count half, as
-//! those of pixels do, of which every second row counts. Pixels that are merged as they are have no textures.
+//! those of lightness with their signs, between those of its elements that lie at its corners, as for half of its side.
+//! They count half, as those of pixels do, of which every second row counts. Pixels that are merged as they are have no
+//! textures.
 //! `steps` is a buffer.
 void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,

@@ -85,8 +85,8 @@ struct FourRegions;
 //!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
 //!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
 //! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
-//! down, half of those from one element to the next (2/3 for blocks of 3x3, where they are those between corners), and
-//! q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps that are no slope, it is
+//! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps
+//! that are no slope, it is
 //!     e = (smaller g^2 - (g1 - g2)^2 - (larger q)^2) * smaller n,   not below 0
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
