@@ -19,7 +19,8 @@ class RangeFinder
 {
 public:
     RangeFinder(const Mat& image, const Mat& mask)
-        : image_(image), mask_(mask), channels_(image.channels()), row_(image.cols * channels_, image.rows)
+        : image_(image), mask_(mask), channels_(image.channels()), colors_(std::min(channels_, 3)),
+          row_(image.cols * channels_, image.rows)
     {
     }
 
@@ -64,13 +65,15 @@ private:
     void takeSample()
     {
         const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64;
-        const int64 total = int64(row_.width) * row_.height;
+        const Size row(image_.cols * colors_, image_.rows);
+        const int64 total = int64(row.width) * row.height;
         const int64 wanted = std::min(std::max(total / PIXELS_PER_VALUE, MIN_VALUES), MAX_VALUES);
         const size_t bytes = image_.elemSize1();
         std::vector<uchar> raw;
         raw.reserve(size_t(std::min(total, wanted)) * bytes);
-        visitSample(row_, (total + wanted - 1) / wanted, [&](int y, int x)
+        visitSample(row, (total + wanted - 1) / wanted, [&](int y, int i)
         {
+            const int x = i / colors_ * channels_ + i % colors_;
             const uchar* value = image_.ptr(y) + size_t(x) * bytes;
             if (counts(y, x))
                 raw.insert(raw.end(), value, value + bytes);
@@ -128,7 +131,7 @@ private:
             if (lower + higher > infinite)
                 outside += lower + higher - infinite;
         });
-        return outside <= int64(row_.width) * row_.height / OUTLIERS;
+        return outside <= int64(image_.cols) * colors_ * image_.rows / OUTLIERS;
     }
 
     //! Whether the values without outliers span more than a small part of a range.
@@ -171,7 +174,7 @@ private:
     }
 
     const Mat image_, mask_;
-    const int channels_;
+    const int channels_, colors_; //!< the fourth channel is no colour
     const Size row_; //!< values of a row, and rows
     std::vector<float> values_;
 };
