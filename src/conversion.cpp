@@ -89,7 +89,7 @@ private:
     //! Values outside of the mask and of a fourth channel do not count.
     bool counts(int y, int x) const
     {
-        return x % channels_ < 3 && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
+        return x % channels_ < colors_ && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
     }
 
     static bool isFinite(float value) { return std::abs(value) <= FLT_MAX; }
@@ -102,7 +102,7 @@ private:
             Mat floats;
             for (int y = rows.start; y < rows.end; y++)
             {
-                const bool all = mask_.empty() && channels_ <= 3, as_it_is = all && image_.depth() == CV_32F;
+                const bool all = mask_.empty() && channels_ == colors_, as_it_is = all && image_.depth() == CV_32F;
                 if (!as_it_is)
                     image_.row(y).convertTo(floats, CV_32F);
                 for (int x = 0; !all && x < row_.width; x++)

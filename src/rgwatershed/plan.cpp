@@ -32,13 +32,13 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
 }
 
 //! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals,
-//! because pixels have none.
+//! because pixels have none. From markers of the user, nothing is flooded in blocks or merged.
 static const EffortRules& effortRules(const Frame& frame, const Parameters& parameters)
 {
     const int MOST_ON_BLOCKS = 2;
-    const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
     if (!frame.markers.empty())
-        return effortRules(Parameters().effort); // nothing is flooded in blocks, nor merged
+        return effortRules(Parameters().effort);
+    const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
     return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
 }
 
