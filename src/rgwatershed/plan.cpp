@@ -57,7 +57,7 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
-      merge_rules(mergeRules(ruler)), pixel_merge_rules(pixelMergeRules(ruler)),
+      pixel_merge_rules(pixelMergeRules(ruler)),
       flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
@@ -75,6 +75,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     sweeps_before_merging = sweeps.before_merging;
     sweeps_after_merging = sweeps.after_merging;
     depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
+    merge_rules = mergeRules(ruler, blocks / num_superpixels);
     merge_rules.on_surface = depth_adaptive;
     merge_rules.texture = flood_distance.shareOfColor(merge_rules.texture);
     merge_rules.direction = flood_distance.shareOfColor(merge_rules.direction);

@@ -89,15 +89,18 @@ inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
 //! asks for.
 inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 10, 1.f)); }
 
+//! Below it, superpixels have few blocks.
+static const int FEW_BLOCKS = 12;
+
 //! Merging of regions of blocks.
-inline MergeRules mergeRules(float ruler)
+inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
 {
     MergeRules rules;
     rules.distance = rules.with_depth = 56;
     rules.areas = 92;
     rules.contrast = 50;
     rules.length = mergeLength(ruler);
-    rules.lightness = 28;
+    rules.lightness = blocks_per_superpixel < FEW_BLOCKS ? 10 : 28; // shading varies less within small ones
     rules.brightness = 42;
     rules.slope = -24;
     rules.roughness = 128;
@@ -164,9 +167,8 @@ struct BlockSweeps
 //! before it takes a tenth of the time; some more after it, which look at little, and less price do nearly the same.
 inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_superpixel)
 {
-    const int FEW = 12;
     const BlockSweeps usual = { markers_per_superpixel < 4 ? 1 : 2, 1, 1 }, of_few = { 0, 3, 0.7 };
-    return blocks_per_superpixel < FEW && markers_per_superpixel > 1 ? of_few : usual;
+    return blocks_per_superpixel < FEW_BLOCKS && markers_per_superpixel > 1 ? of_few : usual;
 }
 
 //! With normals, depth is measured against planes, so both are trusted more beside colour.
