@@ -85,7 +85,7 @@ Mat checkMask(InputArray input)
     const Mat mask = takeMatrix(input, "mask");
 #ifdef CV_Bool // since OpenCV 5, of which NumPy's are
     if (mask.type() == CV_BoolC1)
-        return Mat(mask.size(), CV_8UC1, mask.data, mask.step);
+        return Mat(mask.size(), CV_8UC1, mask.data, mask.step).clone();
 #endif
     CV_CheckTypeEQ(mask.type(), CV_8UC1, "mask must be CV_8UC1");
     return mask;

@@ -5,7 +5,6 @@
 #include "conversion.hpp"
 
 #include <atomic>
-#include <limits>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -14,26 +13,28 @@ namespace {
 const int OUTLIERS = 1000;  //!< one value in so many may lie outside, on each side
 const int SHARE_OF_NOMINAL = 16; //!< values that span less than one part in so many are stretched
 
-//! The range of the frame, where white and black are not those of the type.
-class RangeFinder
+//! The range of the frame, where white and black are not those of the type. T holds the values and their differences.
+template <typename T> class RangeFinder
 {
 public:
+    typedef RangeOf<T> ValueRange;
+
     RangeFinder(const Mat& image, const Mat& mask)
         : image_(image), mask_(mask), channels_(image.channels()), colors_(std::min(channels_, 3)),
           row_(image.cols * channels_, image.rows)
     {
     }
 
-    FloatRange find()
+    ValueRange find()
     {
         takeSample();
         if (values_.empty())
-            return FloatRange();
-        FloatRange nominal;
+            return ValueRange();
+        ValueRange nominal;
         const bool lies_in_nominal = findNominal(nominal) && liesIn(nominal);
         if (lies_in_nominal && spansMuchOf(nominal))
             return nominal;
-        const FloatRange range = rangeWithout(values_.size() / OUTLIERS, values_);
+        const ValueRange range = rangeWithout(values_.size() / OUTLIERS, values_);
         if (range.first < range.last)
             return range;
         return lies_in_nominal ? nominal : findExtrema();
@@ -41,37 +42,43 @@ public:
 
 private:
     //! False for types of which no part is the usual one.
-    bool findNominal(FloatRange& range)
+    bool findNominal(ValueRange& range)
     {
-        const FloatRange chars = { -128, 127 }, unit = { 0, 1 };
+        const ValueRange chars = { -128, 127 }, unit = { 0, 1 };
         const int depth = image_.depth();
         range = depth == CV_16U ? rangeOfBits() : depth == CV_8S ? chars : unit;
         return depth != CV_16S && depth != CV_32S;
     }
 
     //! Cameras give 10, 12, or 14 bits in 16: the fewest, but 8 at least, that hold the values without outliers.
-    FloatRange rangeOfBits()
+    ValueRange rangeOfBits()
     {
         const auto highest = values_.end() - 1 - int(values_.size()) / OUTLIERS;
         std::nth_element(values_.begin(), highest, values_.end());
         int levels = 256;
-        while (float(levels) <= *highest)
+        while (T(levels) <= *highest)
             levels *= 2;
-        const FloatRange range = { 0, float(levels - 1) };
+        const ValueRange range = { 0, T(levels - 1) };
         return range;
     }
 
-    //! The finite values of a sample.
+    //! The finite values of a sample; of all values, if too few of these count.
     void takeSample()
     {
-        const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64;
-        const Size row(image_.cols * colors_, image_.rows);
-        const int64 total = int64(row.width) * row.height;
+        const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64, ENOUGH = MIN_VALUES / 8;
+        const int64 total = int64(image_.cols) * colors_ * image_.rows;
         const int64 wanted = std::min(std::max(total / PIXELS_PER_VALUE, MIN_VALUES), MAX_VALUES);
+        takeOneOf((total + wanted - 1) / wanted);
+        if (total > wanted && values_.size() < size_t(ENOUGH))
+            takeOneOf(1);
+    }
+
+    //! One value of each `step`.
+    void takeOneOf(int64 step)
+    {
         const size_t bytes = image_.elemSize1();
         std::vector<uchar> raw;
-        raw.reserve(size_t(std::min(total, wanted)) * bytes);
-        visitSample(row, (total + wanted - 1) / wanted, [&](int y, int i)
+        visitSample(Size(image_.cols * colors_, image_.rows), step, [&](int y, int i)
         {
             const int x = i / colors_ * channels_ + i % colors_;
             const uchar* value = image_.ptr(y) + size_t(x) * bytes;
@@ -81,9 +88,9 @@ private:
         values_.clear();
         if (raw.empty())
             return;
-        Mat floats;
-        Mat(1, int(raw.size() / bytes), image_.depth(), raw.data()).convertTo(floats, CV_32F);
-        std::copy_if(floats.begin<float>(), floats.end<float>(), std::back_inserter(values_), isFinite);
+        Mat values;
+        Mat(1, int(raw.size() / bytes), image_.depth(), raw.data()).convertTo(values, DataType<T>::depth);
+        std::copy_if(values.begin<T>(), values.end<T>(), std::back_inserter(values_), isFinite);
     }
 
     //! Values outside of the mask and of a fourth channel do not count.
@@ -92,55 +99,57 @@ private:
         return x % channels_ < colors_ && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
     }
 
-    static bool isFinite(float value) { return std::abs(value) <= FLT_MAX; }
+    static bool isFinite(T value) { return std::abs(value) <= FLT_MAX; }
 
-    //! Calls visit(values, count) for the rows, as floats; those that do not count are NaN.
+    //! Calls visit(values, count) for the rows; those that do not count are NaN.
     template <typename Visit> void forRows(Visit visit) const
     {
         parallel_for_(Range(0, row_.height), [&](const Range& rows)
         {
-            Mat floats;
+            Mat values;
             for (int y = rows.start; y < rows.end; y++)
             {
-                const bool all = mask_.empty() && channels_ == colors_, as_it_is = all && image_.depth() == CV_32F;
+                const bool all = mask_.empty() && channels_ == colors_, as_it_is = all && image_.depth() == DataType<T>::depth;
                 if (!as_it_is)
-                    image_.row(y).convertTo(floats, CV_32F);
+                    image_.row(y).convertTo(values, DataType<T>::depth);
                 for (int x = 0; !all && x < row_.width; x++)
                     if (!counts(y, x))
-                        floats.ptr<float>()[x] = std::numeric_limits<float>::quiet_NaN();
-                visit(as_it_is ? image_.ptr<float>(y) : floats.ptr<float>(), row_.width);
+                        values.ptr<T>()[x] = std::numeric_limits<T>::quiet_NaN();
+                visit(as_it_is ? image_.ptr<T>(y) : values.ptr<T>(), row_.width);
             }
         });
     }
 
     //! Whether hardly any finite value is outside of a range.
-    bool liesIn(FloatRange range) const
+    bool liesIn(ValueRange range) const
     {
         if (image_.depth() == CV_16U || image_.depth() == CV_8S)
             return true;
-        std::atomic<int64> outside(0);
-        forRows([&](const float* values, int count)
+        std::atomic<int64> outside(0), finite(0);
+        forRows([&](const T* values, int count)
         {
-            int lower = 0, higher = 0, infinite = 0;
+            int known = 0, lower = 0, higher = 0, infinite = 0;
             for (int x = 0; x < count; x++)
             {
+                known += values[x] == values[x];
                 lower += values[x] < range.first;
                 higher += values[x] > range.last;
                 infinite += std::abs(values[x]) > FLT_MAX;
             }
+            finite += known - infinite;
             if (lower + higher > infinite)
                 outside += lower + higher - infinite;
         });
-        return outside <= int64(image_.cols) * colors_ * image_.rows / OUTLIERS;
+        return outside <= finite / OUTLIERS;
     }
 
     //! Whether the values without outliers span more than a small part of a range.
-    bool spansMuchOf(FloatRange range) const
+    bool spansMuchOf(ValueRange range) const
     {
         const int BINS = 4096;
         std::vector<int> counts(BINS, 0);
-        const float scale = (BINS - 1) / (range.last - range.first);
-        for (float value : values_)
+        const T scale = (BINS - 1) / (range.last - range.first);
+        for (T value : values_)
             counts[int(scale * (std::min(std::max(value, range.first), range.last) - range.first))]++;
         const int outliers = int(values_.size() / OUTLIERS);
         int first = 0, last = BINS - 1;
@@ -152,14 +161,14 @@ private:
     }
 
     //! Of all finite values.
-    FloatRange findExtrema() const
+    ValueRange findExtrema() const
     {
-        const FloatRange none = { FLT_MAX, -FLT_MAX };
-        FloatRange extrema = none;
+        const ValueRange none = { T(FLT_MAX), T(-FLT_MAX) };
+        ValueRange extrema = none;
         Mutex mutex;
-        forRows([&](const float* values, int count)
+        forRows([&](const T* values, int count)
         {
-            FloatRange row = none;
+            ValueRange row = none;
             for (int x = 0; x < count; x++)
                 if (isFinite(values[x]))
                 {
@@ -176,13 +185,13 @@ private:
     const Mat image_, mask_;
     const int channels_, colors_; //!< the fourth channel is no colour
     const Size row_; //!< values of a row, and rows
-    std::vector<float> values_;
+    std::vector<T> values_;
 };
 
 //! Values of a row, from a range to 0..255. NaN is the low end. T is the type in which it is computed.
-template <typename T> void scaleRow(const Mat& row, FloatRange range, Mat& values, Mat& scaled)
+template <typename T> void scaleRow(const Mat& row, RangeOf<double> range, Mat& values, Mat& scaled)
 {
-    const T low = range.first, high = range.last;
+    const T low = T(range.first), high = T(range.last);
     const bool as_it_is = row.depth() == DataType<T>::depth;
     if (as_it_is)
         values.create(row.size(), row.type());
@@ -200,16 +209,16 @@ template <typename T> void scaleRow(const Mat& row, FloatRange range, Mat& value
 }
 
 //! The same for integers of up to 16 bits, which need no care.
-void scaleRow(const Mat& row, FloatRange range, Mat& scaled)
+void scaleRow(const Mat& row, RangeOf<double> range, Mat& scaled)
 {
-    const double scale = 255 / (double(range.last) - range.first);
+    const double scale = 255 / (range.last - range.first);
     row.convertTo(scaled, CV_8U, scale, -scale * range.first);
 }
 
 //! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them.
-void scaleImage(const Mat& image, FloatRange range, Mat& scaled)
+void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
 {
-    const double span = double(range.last) - range.first;
+    const double span = range.last - range.first;
     const bool is_moderate = span > 1e-30 && span < 1e30;
     const int depth = image.depth();
     scaled.create(image.size(), CV_8UC(image.channels()));
@@ -234,6 +243,23 @@ void scaleImage(const Mat& image, FloatRange range, Mat& scaled)
     });
 }
 
+template <typename T> RangeOf<double> findRange(const Mat& image, const Mat& mask)
+{
+    const RangeOf<T> found = RangeFinder<T>(image, mask).find();
+    const RangeOf<double> range = { found.first, found.last };
+    return range;
+}
+
+//! That of the frame, if the user sets none. Floats would not tell the values of large types apart.
+RangeOf<double> chooseRange(const Mat& image, const Mat& mask, FloatRange set)
+{
+    const bool is_large = image.depth() == CV_32S || image.depth() == CV_64F;
+    if (set.first == 0 && set.last == 0)
+        return is_large ? findRange<double>(image, mask) : findRange<float>(image, mask);
+    const RangeOf<double> range = { set.first, set.last };
+    return range;
+}
+
 //! Two channels as three: between them their mean, so that both count alike when colours are converted.
 void addMeanChannel(const Mat& two, Mat& three)
 {
@@ -255,10 +281,8 @@ Mat convertImage(const Mat& image, const Mat& mask, FloatRange range, Mat& buffe
     Mat bytes = image;
     if (image.depth() != CV_8U)
     {
-        if (range.first == 0 && range.last == 0)
-            range = RangeFinder(image, mask).find();
         bytes = is_pair ? Mat() : buffer;
-        scaleImage(image, range, bytes);
+        scaleImage(image, chooseRange(image, mask, range), bytes);
         if (!is_pair)
             buffer = bytes;
     }

@@ -5,7 +5,6 @@
 #include "depth_scale.hpp"
 #include "shared/valid_depth.hpp"
 
-#include <limits>
 #include <type_traits>
 
 namespace cv { namespace ximgproc { namespace gws {

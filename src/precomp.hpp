@@ -16,7 +16,12 @@
 #include <cfloat>
 #include <climits>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #endif

@@ -58,9 +58,10 @@ void Segmenter::segment(const Mat& image, const Mat& depth, const Mat& markers, 
     last_ = Last();
     result.start(image.size(), parameters, mask);
     const Rect bounds = result.bounds;
-    const bool uses_depth = !depth.empty() && (parameters.alpha < 1 || parameters.depth_adaptive);
+    const Mat depth_inside = depth.empty() ? Mat() : depth(bounds);
+    const bool uses_depth = parameters.alpha < 1 || (parameters.depth_adaptive && usesSurfaces(depth_inside, parameters));
     if (!bounds.empty())
-        run(makeFrame(image(bounds), uses_depth ? depth(bounds) : Mat(), markers.empty() ? Mat() : markers(bounds),
+        run(makeFrame(image(bounds), uses_depth ? depth_inside : Mat(), markers.empty() ? Mat() : markers(bounds),
                       result), last, num_iterations, result);
     result.complete = true;
 }

@@ -27,6 +27,10 @@ template <typename Work> void guardMemory(Work work)
     {
         CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
     }
+    catch (const std::length_error&) // of a vector that a pointer could not count
+    {
+        CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
+    }
 }
 
 class SuperpixelGWatershedImpl CV_FINAL : public SuperpixelGWatershed
@@ -48,7 +52,7 @@ public:
         depth.copyTo(depth_);
     }
 
-    int getNumberOfSuperpixels() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.number; }
+    int getNumberOfSuperpixels() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.empty() ? 0 : result_.number; }
 
     void iterate(int num_iterations) CV_OVERRIDE
     {
@@ -80,7 +84,7 @@ public:
         const gws::Reading use(in_use_);
         checkSegmented();
         gws::checkOutput(labels_out, CV_32SC1, result_.isLine(), "labels_out");
-        guardMemory([&]() { give(result_.labels, labels_out); });
+        guardMemory([&]() { giveAll({ { result_.labels, labels_out, "labels_out" } }); });
     }
 
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
@@ -169,12 +173,10 @@ public:
         {
             gws::Statistics tables;
             gws::measureSuperpixels(result_.labels, result_.number, input, tables);
-            give(tables.stats, stats);
-            give(tables.centroids, centroids);
-            give(tables.mean_colors, mean_colors);
-            give(tables.mean_depths, mean_depths);
-            give(tables.positions, positions);
-            give(tables.normals, normals);
+            giveAll({ { tables.stats, stats, "stats" }, { tables.centroids, centroids, "centroids" },
+                      { tables.mean_colors, mean_colors, "mean_colors" },
+                      { tables.mean_depths, mean_depths, "mean_depths" },
+                      { tables.positions, positions, "positions" }, { tables.normals, normals, "normals" } });
         });
     }
 
@@ -201,9 +203,8 @@ public:
             gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
                                gws::scaleInside(depth_inside, mask_inside, used, scaled), used.alphaWeight(), tables[0],
                                tables[1], tables[2]);
-            give(tables[0], pairs);
-            give(tables[1], lengths);
-            give(tables[2], contrasts);
+            giveAll({ { tables[0], pairs, "pairs" }, { tables[1], lengths, "lengths" },
+                      { tables[2], contrasts, "contrasts" } });
         });
     }
 
@@ -301,13 +302,27 @@ private:
             gws::checkOutput(output, type, is_line, name);
     }
 
-    //! Copies a table to an output, if that is wanted. Without rows, too, it has its columns and its type.
-    static void give(const Mat& table, OutputArray output)
+    struct Table
     {
-        if (!output.needed())
-            return;
-        Mat copy = gws::createOutput(output, table.size(), table.type());
-        table.copyTo(copy);
+        const Mat& values;
+        OutputArray output;
+        const char* name;
+    };
+
+    //! Copies tables to the outputs that are wanted: to all, or, if a size does not fit, to none. Without rows, too, a
+    //! table has its columns and its type.
+    static void giveAll(std::initializer_list<Table> tables)
+    {
+        for (const Table& table : tables)
+            if (table.output.needed() && table.output.fixedSize() && table.output.size() != table.values.size())
+                CV_Error_(Error::StsUnmatchedSizes, ("%s must have %d rows and %d columns", table.name,
+                                                     table.values.rows, table.values.cols));
+        for (const Table& table : tables)
+            if (table.output.needed())
+            {
+                Mat copy = gws::createOutput(table.output, table.values.size(), table.values.type());
+                table.values.copyTo(copy);
+            }
     }
 
     void checkMaps(Size size) const

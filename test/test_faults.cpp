@@ -179,6 +179,7 @@ TEST_P(ximgproc_GWatershed_faults, next_image_is_segmented_as_by_a_fresh_object)
                     if (!failed)
                         return;
                     EXPECT_TRUE(gws->empty());
+                    EXPECT_EQ(0, gws->getNumberOfSuperpixels());
                     stream.iterate(*gws, 1);
                     EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
                 });

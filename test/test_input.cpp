@@ -60,6 +60,39 @@ TEST_P(ximgproc_GWatershed_input, takes_float_images_with_any_value)
     expectPartition(labels, image.size(), int(largest) + 1);
 }
 
+// Floats would hold none of the differences between heights in micrometres, or times.
+TEST_P(ximgproc_GWatershed_input, takes_values_far_from_zero)
+{
+    const Mat image = makeScene(Size(60, 50), theRNG());
+    for (int type : { CV_32S, CV_64F })
+    {
+        const double unit = type == CV_32S ? 1 : 1. / 256;
+        Mat near_zero, far_away; // convertTo() from bytes to integers works in floats, too
+        image.convertTo(near_zero, CV_64F, unit, 1000);
+        image.convertTo(far_away, CV_64F, unit, 1e9);
+        near_zero.convertTo(near_zero, type);
+        far_away.convertTo(far_away, type);
+        EXPECT_TRUE(equalMats(segment(near_zero, GetParam(), 8), segment(far_away, GetParam(), 8))) << type;
+    }
+}
+
+// A sample of the values would meet none of them.
+TEST_P(ximgproc_GWatershed_input, takes_images_of_which_hardly_any_value_is_known)
+{
+    for (int x : { 100, 350, 600 })
+        for (int y : { 75, 575 })
+        {
+            Mat image(1000, 1000, CV_32F, Scalar(NOT_A_NUMBER));
+            image(Rect(x, y, 5, 5)).setTo(Scalar(0.2));
+            image(Rect(x + 2, y, 3, 5)).setTo(Scalar(1));
+            const Mat labels = segment(image, GetParam(), 25);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 25);
+            gws->setValueRange(0, 1);
+            gws->iterate();
+            EXPECT_TRUE(equalMats(labelsOf(gws), labels)) << x << ", " << y;
+        }
+}
+
 TEST_P(ximgproc_GWatershed_input, takes_umat)
 {
     RNG& rng = theRNG();

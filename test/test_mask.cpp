@@ -80,6 +80,25 @@ TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside)
     }
 }
 
+// Two bars in opposite corners, of which one is brighter than 1. Of all pixels between them, these would be few.
+TEST_P(ximgproc_GWatershed_mask, range_of_values_is_that_of_the_inside)
+{
+    const Size size(600, 600);
+    Mat image(size, CV_32F, Scalar(0.5)), mask(size, CV_8U, Scalar(0));
+    const Rect bars[] = { Rect(0, 0, 100, 3), Rect(500, 597, 100, 3) };
+    const double values[] = { 1.5, 3, 0, 1 };
+    for (int i = 0; i < 4; i++)
+        image(Rect(bars[i / 2].x + i % 2 * 50, bars[i / 2].y, 50, 3)).setTo(Scalar(values[i]));
+    mask(bars[0]).setTo(Scalar(1));
+    mask(bars[1]).setTo(Scalar(1));
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 1, 14, GetParam());
+    gws->setMask(mask);
+    gws->iterate(image);
+    const Mat labels = labelsOf(gws);
+    for (int y = 0; y < 3; y++)
+        EXPECT_NE(labels.at<int>(y, 49), labels.at<int>(y, 50)) << y;
+}
+
 TEST_P(ximgproc_GWatershed_mask, does_not_see_the_outside_of_frames_that_follow)
 {
     RNG& rng = theRNG();

@@ -42,6 +42,18 @@ TEST_P(ximgproc_GWatershed_output, vectors_take_what_has_one_row_or_column)
     }
 }
 
+TEST_P(ximgproc_GWatershed_output, all_tables_are_written_or_none)
+{
+    const Ptr<SuperpixelGWatershed> gws = segmentNoise(Size(40, 30), GetParam());
+    Mat stats(1, 1, CV_32SC1, Scalar(7)), pairs(1, 1, CV_32SC1, Scalar(7));
+    Matx<double, 3, 2> few_centroids;
+    Matx<int, 3, 1> few_lengths;
+    EXPECT_TRUE(isRefused([&]() { gws->getStatistics(noArray(), noArray(), stats, few_centroids); }, "centroids"));
+    EXPECT_TRUE(isRefused([&]() { gws->getAdjacency(noArray(), noArray(), pairs, few_lengths); }, "lengths"));
+    EXPECT_EQ(Size(1, 1), stats.size());
+    EXPECT_EQ(Size(1, 1), pairs.size());
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_output, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

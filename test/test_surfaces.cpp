@@ -352,4 +352,24 @@ TEST(ximgproc_GWatershed_surfaces, alpha_1_is_colour_alone)
     }
 }
 
+//! Disparities have no surfaces.
+TEST(ximgproc_GWatershed_surfaces, alpha_1_is_colour_alone_where_superpixels_would_adapt)
+{
+    const Mat image = makeScene(Size(120, 90), theRNG());
+    Mat depth;
+    makePlane(1500, 0.5, 0.2)(Rect(0, 0, 120, 90)).convertTo(depth, CV_16S);
+    for (int algorithm : ALGORITHMS)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, 3, 300, algorithm);
+        gws->iterate(image);
+        gws->mergeSimilar(40);
+        const Mat expected = labelsOf(gws);
+        gws->setAlpha(1);
+        gws->setDepthAdaptive(true);
+        gws->iterate(image, depth);
+        gws->mergeSimilar(40);
+        EXPECT_TRUE(equalMats(expected, labelsOf(gws))) << algorithm;
+    }
+}
+
 }} // namespace

@@ -168,7 +168,7 @@ void labelMarkers(const Mat& markers, PixelMap& pixels)
                 labelPixel(pixels.index(Point(x, y)), markers.at<int>(y, x) + 1, pixels);
 }
 
-void extractLabels(PixelMap& pixels, Mat& labels)
+void extractLabels(const PixelMap& pixels, Mat& labels)
 {
     CV_TRACE_FUNCTION();
     labels.create(pixels.size(), CV_32SC1);

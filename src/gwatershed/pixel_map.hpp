@@ -44,7 +44,7 @@ void labelMarkers(const std::vector<Point>& markers, PixelMap& pixels);
 void labelMarkers(const Mat& markers, PixelMap& pixels);
 
 //! CV_32SC1 labels 0..N-1, -1 where a pixel has none.
-void extractLabels(PixelMap& pixels, Mat& labels);
+void extractLabels(const PixelMap& pixels, Mat& labels);
 
 }}} // namespace
 

@@ -189,6 +189,10 @@ private:
 
     static bool isFloat(const Mat& image)
     {
+#ifdef CV_16BF // since OpenCV 5
+        if (image.depth() == CV_16BF)
+            return true;
+#endif
         return image.depth() == CV_32F || image.depth() == CV_64F || image.depth() == CV_16F;
     }
 

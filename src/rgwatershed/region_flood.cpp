@@ -14,7 +14,7 @@ void FloodRegion::update()
     const short values[4] = { mean.color[0], mean.color[2], mean.color[1], mean.depth };
     std::copy(values, values + 4, means);
     if (rise != 0 && sum.depth_area > 0)
-        means[3] = short(mean.depth - rise / (int64(SurfaceMean::PLANE_UNIT) * sum.depth_area));
+        means[3] = saturate_cast<short>(mean.depth - rise / (int64(SurfaceMean::PLANE_UNIT) * sum.depth_area));
     next_update = sum.area + sum.area / MEAN_GROWTH + 1;
 }
 
@@ -45,7 +45,7 @@ public:
         const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
         const v_int32x4 least = v_setall_s32(excess << 12);
         v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
-        if (WITH_DEPTH && region.means[3] != RegionMean::NO_DEPTH)
+        if (WITH_DEPTH && region.sum.depth_area > 0)
         {
             const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(v_reinterpret_as_u32(features)));
             const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), depth)); // all bits

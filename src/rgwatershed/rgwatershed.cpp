@@ -139,7 +139,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
-            rules.distance.normal_share = 0; // pixels have no normals of their own
+            rules.distance.normal_share = 0; // pixels have no normals of their own, and leave blocks across an edge here
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1 && !plan.merges_pixels;
         if (level < top)
             descend(frame, plan, level);
@@ -185,10 +185,13 @@ void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
                         merge_buffers, labels_[0], regions_);
+    if (has_large_merge_buffers_)
+        merge_buffers = MergeBuffers();
     sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);
 }
 
-//! Each iteration after the first moves pixels where that explains the colours better.
+//! Each iteration after the first moves pixels where that explains the colours better. Here normals of their blocks
+//! count: edges are where they should be, and a superpixel does not grow around them.
 void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iterations)
 {
     CV_TRACE_FUNCTION();

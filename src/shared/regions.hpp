@@ -114,11 +114,6 @@ struct Regions
         sums.resize(n);
         surfaces.resize(n);
     }
-    void clear(int n)
-    {
-        resize(n);
-        std::fill(sums.begin(), sums.end(), RegionSum());
-    }
     //! From sums over blocks to sums over what they are made of, side x side elements for each block. A block is their
     //! mean, so sums become so many times as large.
     void divideBlocks(int side);

@@ -33,21 +33,23 @@ template <typename Visit> inline void visitSample(Size size, int64 step, Visit v
     }
 }
 
-struct FloatRange
+template <typename T> struct RangeOf
 {
-    float first, last;
+    T first, last;
 };
+
+typedef RangeOf<float> FloatRange;
 
 //! The range that is left without `outliers` of the lowest and of the highest values; values change their order.
 //! There are more than 2 * outliers of them.
-inline FloatRange rangeWithout(size_t outliers, std::vector<float>& values)
+template <typename T> RangeOf<T> rangeWithout(size_t outliers, std::vector<T>& values)
 {
-    float *const begin = values.data(), *const end = begin + values.size();
-    float *const low = begin + outliers, *const high = end - 1 - outliers;
+    T *const begin = values.data(), *const end = begin + values.size();
+    T *const low = begin + outliers, *const high = end - 1 - outliers;
     std::nth_element(begin, low, end);
-    const float first = *low;
+    const T first = *low;
     std::nth_element(low, high, end);
-    const FloatRange range = { first, *high };
+    const RangeOf<T> range = { first, *high };
     return range;
 }
 
