@@ -109,7 +109,8 @@ private:
             Mat values;
             for (int y = rows.start; y < rows.end; y++)
             {
-                const bool all = mask_.empty() && channels_ == colors_, as_it_is = all && image_.depth() == DataType<T>::depth;
+                const bool all = mask_.empty() && channels_ == colors_;
+                const bool as_it_is = all && image_.depth() == DataType<T>::depth;
                 if (!as_it_is)
                     image_.row(y).convertTo(values, DataType<T>::depth);
                 for (int x = 0; !all && x < row_.width; x++)

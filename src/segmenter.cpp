@@ -59,7 +59,8 @@ void Segmenter::segment(const Mat& image, const Mat& depth, const Mat& markers, 
     result.start(image.size(), parameters, mask);
     const Rect bounds = result.bounds;
     const Mat depth_inside = depth.empty() ? Mat() : depth(bounds);
-    const bool uses_depth = parameters.alpha < 1 || (parameters.depth_adaptive && usesSurfaces(depth_inside, parameters));
+    const bool uses_depth =
+            parameters.alpha < 1 || (parameters.depth_adaptive && usesSurfaces(depth_inside, parameters));
     if (!bounds.empty())
         run(makeFrame(image(bounds), uses_depth ? depth_inside : Mat(), markers.empty() ? Mat() : markers(bounds),
                       result), last, num_iterations, result);

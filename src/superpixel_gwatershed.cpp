@@ -52,7 +52,11 @@ public:
         depth.copyTo(depth_);
     }
 
-    int getNumberOfSuperpixels() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.empty() ? 0 : result_.number; }
+    int getNumberOfSuperpixels() const CV_OVERRIDE
+    {
+        const gws::Reading use(in_use_);
+        return result_.empty() ? 0 : result_.number;
+    }
 
     void iterate(int num_iterations) CV_OVERRIDE
     {

@@ -139,7 +139,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
                              : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
-            rules.distance.normal_share = 0; // pixels have no normals of their own, and leave blocks across an edge here
+            rules.distance.normal_share = 0; // pixels have none of their own, and leave blocks across an edge here
         rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1 && !plan.merges_pixels;
         if (level < top)
             descend(frame, plan, level);

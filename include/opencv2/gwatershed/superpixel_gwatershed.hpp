@@ -62,35 +62,35 @@ submatrix and its clone. Exceptions, each described with its method: pixels with
 (setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
 
 **Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
-The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED
-converts them itself, so give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the
-channels as they are. Two channels count alike. If there are more, choose some by cv::extractChannel(), or reduce
-them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
+The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so
+give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two
+channels count alike, but for the gradient of setBorderThreshold(). If there are more, choose some by
+cv::extractChannel(), or reduce them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
 
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
-negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else. Read
-depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give it, is 0 where it is farthest, so add 1 to it.
-Depth that is missing everywhere, or the same everywhere, changes nothing. See setDepthRange() and setAlpha().
+negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else, or
+as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give
+it, is 0 where it is farthest, so add 1 to it. Depth that is missing or the same everywhere changes nothing.
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
-and empty() returns true. The object can be used again in both cases. Input images are never written to. In
-Python None for depth is no depth. None for a number is its default, and throws if there is none: `iterate(None)` is
-`iterate()`, so check what imread() returned.
+and empty() returns true. The object can be used again in both cases. Input images are never written to. In Python None
+for depth is no depth. None for a number is its default, or 0 if it has none, which throws where 0 is not allowed:
+`iterate(None)` is `iterate()`, so check what imread() returned.
 
 **Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. An output with one row or one
 column may also be a std::vector of that type.
 
 **Threads.** Most steps run under cv::parallel_for_. The flood of GWATERSHED runs on the calling thread, and so
-does that of RGWATERSHED with a mask or with user markers. Different objects can be used in different threads at
-the same time. One object can not, except for its const methods: the second call throws cv::Exception.
+does that of RGWATERSHED with a mask, with user markers or with setDepthAdaptive(true). Different objects can be used in
+different threads at the same time. One object can not, except for its const methods: the second call throws.
 
 **Algorithm.** write() and read() store and restore the parameters; read() throws, and changes nothing, if one
 of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
 markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds a microsecond at most.
 Buffers are kept from one image to the next.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
@@ -278,11 +278,11 @@ public:
 
     /** @brief Restricts the segmentation to a part of the images to come.
 
-    Pixels outside have the label -1, are 0 in the masks of contours and lines, and have no influence on the
-    pixels inside. The number of superpixels and the region size count pixels inside only. Every connected
-    component of the mask has at least one superpixel: N is the number asked for or the number of components,
-    whichever is larger. Labels follow the order of the components; components too small for a block come last.
-    If the mask is zero everywhere, N = 0.
+    Pixels outside have the label -1, are 0 in the masks of contours and lines, and have no influence on the pixels
+    inside. The number of superpixels and the region size count pixels inside only. Every connected component of the
+    mask has at least one superpixel: N is the number asked for, one for each pixel at most, or the number of
+    components, whichever is larger. Labels follow the order of the components; components too small for a block come
+    last. If the mask is zero everywhere, N = 0.
 
     @param mask CV_8UC1, or CV_BoolC1 in OpenCV 5, non-zero inside, or empty for no mask. Before OpenCV 5, in Python,
     give `inside.astype(np.uint8)` of a boolean array. It is copied, and kept until the next setMask() or clear().
@@ -359,12 +359,11 @@ public:
     CV_WRAP virtual int getEffort() const = 0;
 
     /** @brief Sets the weight of colour against depth, equation (3) of the paper.
-    @param alpha In [0, 1], in steps of 1/256: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D. 1 is colour
-    alone, 0 is depth alone where there is depth. Default 0.5, as in the paper; take less where colour misleads.
-    Without depth it has no effect. Iterations after the first never move a pixel to a region whose colour is
-    farther, for any alpha.
+    @param alpha In [0, 1]: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D. 1 is colour alone, 0 is depth alone where
+    there is depth. Default 0.5, as in the paper; take less where colour misleads. Without depth it has no effect.
+    Iterations after the first never move a pixel to a region whose colour is farther, for any alpha.
     @note RGWATERSHED divides the distance by the larger of the two weights, so that distances with and without
-    depth can be compared.
+    depth can be compared, and takes the smaller one in steps of 1/256; so do GWATERSHED and getAdjacency() with alpha.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
@@ -391,9 +390,9 @@ public:
     its last region; the markers of regions that have nearly vanished move into the largest ones. Boundaries also
     move a little on a still image.
 
-    A frame starts from the beginning if it is the first one or the first after clear() or setMask(), if its size,
-    algorithm or number of superpixels differs from that of the last frame, if it has user markers, and, for
-    RGWATERSHED, if the ruler has changed so much that the size of the blocks changes.
+    A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
+    a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
+    of both has user markers; and, for RGWATERSHED, if a change of the ruler changes the size of the blocks.
     @note mergeSimilar() and enforceLabelConnectivity() renumber the labels of one frame only. The next frame
     continues from the result of iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
@@ -407,9 +406,9 @@ public:
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
     the default, for the usual range: 0 to 255, 511, 1023, ... or 65535 for CV_16U, the first one that the values of the
-    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If the image does not lie in it, or spans less than a
-    sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the highest
-    finite value. One value in 1000 at each end does not count, nor all but a sample if the image is large.
+    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all span
+    less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the
+    highest finite value but one in 1000 at each end, of a sample if the image is large.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
     */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
@@ -446,10 +445,11 @@ public:
     depth, and two walls of one colour are cut where they meet. Depth counts by its inverse, whose noise is the same
     near and far. The unit of depth does not matter. Where no normal can be had, beside holes, depth and colour count.
 
-    @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side
-    of the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
-    for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then. The
-    optical axis meets the middle of the image. Set it for parts of an image, and for other lenses.
+    @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side of
+    the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
+    for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then, nor
+    has what is less than 16 or more than 32767 pixels wide or high. The optical axis meets the middle of the image, or
+    of the bounds of a mask. Set it for parts of an image, and for other lenses.
     @param fy The same along y, 0 or more, finite. If 0, the default, it is fx. It must be 0 if fx is.
     @see setNormalWeight */
     CV_WRAP virtual void setFocalLength(float fx, float fy = 0.0f) = 0;
@@ -470,7 +470,7 @@ public:
     /** @brief Sets whether superpixels have about the same area on the surface, instead of in the image.
     @param depth_adaptive If true, there are the more markers the farther away things are, as in
     @cite Weikersdorfer2012 . N is still the number asked for. Default false. It acts where there are surfaces, see
-    setFocalLength(); with a mask markers are placed evenly, and with user markers it has no effect.
+    setFocalLength(). With a mask only merging follows it, with user markers nothing does. Labels jump here and there.
 
     ![A room of one colour: depth as it is, surfaces, and setDepthAdaptive(true)](pics/gwatershed_surfaces.jpg) */
     CV_WRAP virtual void setDepthAdaptive(bool depth_adaptive) = 0;
@@ -480,11 +480,11 @@ public:
     /** @brief Sets the gradient from which GWATERSHED makes a pixel a border at the start (line 6 of Algorithm 1).
 
     RGWATERSHED ignores it.
-    @param border_threshold A pixel with this gradient or a larger one takes no part in the flood and joins a
-    neighbour after it. The gradient is the magnitude of the 3x3 Sobel derivatives of 8-bit values, 0 to 1443,
-    as for cv::Canny with L2gradient; with depth it is weighted by alpha. 0 or more, finite; 0 means no borders.
-    Default 150: without borders the flood crosses strong edges early, while pixels of lower priority still
-    wait, and misses half of the edges. */
+    @param border_threshold A pixel with this gradient or a larger one takes no part in the flood and joins a neighbour
+    after it. The gradient is the magnitude of the 3x3 Sobel derivatives, 0 to 1443, as for cv::Canny with L2gradient,
+    of the grey value 0.114 B + 0.587 G + 0.299 R of the channels in this order, whatever they are: at 150, an edge of
+    blue alone is none. With depth it is weighted by alpha. 0 or more, finite; 0 means no borders. Default 150: without
+    them the flood crosses strong edges early, while pixels of lower priority wait, and misses half of them. */
     CV_WRAP virtual void setBorderThreshold(float border_threshold = 150.0f) = 0;
     /** @brief The gradient from which a pixel is a border, or 0 for none. @see setBorderThreshold */
     CV_WRAP virtual float getBorderThreshold() const = 0;
