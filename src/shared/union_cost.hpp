@@ -65,6 +65,7 @@ struct MergeRegion
     int cell;       //!< of the grid of markers, in which the region began
     int rough;      //!< steps that are no slope, as far as they count, in the unit of slopes
 };
+static_assert(sizeof(MergeRegion) == 32, "it is read as two vectors");
 
 //! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
 inline int logarithm(float value)
