@@ -245,10 +245,12 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
     if (features.withNormals())
         regions.surfaces.start(features.camera, regions.size());
     buffers.regions.resize(regions.size());
-    buffers.bands.resize(bands.size());
-    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    const int num_bands = int(bands.size()), num_groups = std::min<int>(num_bands, FloodBuffers::MOST_GROUPS);
+    const auto firstOf = [&](int group) { return int(int64(num_bands) * group / num_groups); };
+    buffers.bands.resize(num_groups);
+    parallel_for_(Range(0, num_groups), [&](const Range& groups)
     {
-        for (int i = range.start; i < range.end; i++)
+        for (int i = firstOf(groups.start); i < firstOf(groups.end); i++)
         {
             const Range& own = bands[i].markers;
             for (int m = own.start; m < own.end; m++)
@@ -263,7 +265,7 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                 findSlopes(features, markers.data() + own.start, own.size(),
                            buffers.regions.data() + first + own.start);
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
-                      markers.data() + own.end, buffers, buffers.bands[i], labels);
+                      markers.data() + own.end, buffers, buffers.bands[groups.start], labels);
             for (int m = own.start; m < own.end; m++)
                 regions.sums[first + m] = buffers.regions[first + m].sum;
             if (features.withNormals())

@@ -57,7 +57,7 @@ struct FloodRegion
 //! Buffers of a flood.
 struct FloodBuffers
 {
-    enum { PRIORITIES = 1024 };
+    enum { PRIORITIES = 1024, MOST_GROUPS = 32 };
 
     struct Band
     {
@@ -65,7 +65,7 @@ struct FloodBuffers
         std::vector<int> batch;
         std::vector<short> waiting;
     };
-    std::vector<Band> bands;
+    std::vector<Band> bands; // for groups of bands: those of a group are flooded one after the other
     std::vector<Point> seeds; // blocks that the flood begins with
     std::vector<FloodRegion> regions;
 };
