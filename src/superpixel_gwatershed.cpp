@@ -19,17 +19,18 @@ namespace {
 //! Turns the exception of the standard library for a lack of memory into that of OpenCV.
 template <typename Work> void guardMemory(Work work)
 {
+    const auto refuse = [] { CV_Error(Error::StsNoMem, "Not enough memory for an image of this size"); };
     try
     {
         work();
     }
     catch (const std::bad_alloc&)
     {
-        CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
+        refuse();
     }
     catch (const std::length_error&) // of a vector that a pointer could not count
     {
-        CV_Error(Error::StsNoMem, "Not enough memory for an image of this size");
+        refuse();
     }
 }
 

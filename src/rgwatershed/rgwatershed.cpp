@@ -109,7 +109,14 @@ void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuff
     }
     measureBlockTextures(features_, plan.levels, plan.flood_distance, labels, regions_.size(), steps_,
                          merge_buffers.textures);
-    mergeSimilarRegions(plan.num_regions, features, plan.flood_distance, rules, merge_buffers, labels,
+    merge(plan, plan.levels.top, plan.num_regions, rules, merge_buffers);
+}
+
+//! Regions of a level. Large buffers are given back, before others are needed.
+void RGWatershed::merge(const Plan& plan, int level, int num_regions, const MergeRules& rules,
+                        MergeBuffers& merge_buffers)
+{
+    mergeSimilarRegions(num_regions, features_[level], plan.flood_distance, rules, merge_buffers, labels_[level],
                         regions_);
     if (has_large_merge_buffers_)
         merge_buffers = MergeBuffers();
@@ -183,10 +190,7 @@ void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view();
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
-    mergeSimilarRegions(frame.num_superpixels, features_[0], plan.flood_distance, plan.pixel_merge_rules,
-                        merge_buffers, labels_[0], regions_);
-    if (has_large_merge_buffers_)
-        merge_buffers = MergeBuffers();
+    merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules, merge_buffers);
     sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);
 }
 

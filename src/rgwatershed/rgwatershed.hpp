@@ -36,6 +36,7 @@ public:
 private:
     int floodBlocks(const Plan& plan, const Mat& mask);
     void sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers);
+    void merge(const Plan& plan, int level, int num_regions, const MergeRules& rules, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
