@@ -19,6 +19,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     measureRegions(features, labels, distance, regions, buffers.textures);
     buffers.graph.build(labels, num_labels, features, distance);
     SimilarMerger merger(distance, mergeByTextures(), buffers, regions);
+    merger.follow(planUnions(labels, num_labels));
     unions_ = merger.runToTheEnd();
 
     labels_ = labels;

@@ -33,6 +33,13 @@ SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& r
     start();
 }
 
+void SimilarMerger::follow(const UnionPlan& plan)
+{
+    plan_ = plan;
+    for (int i = 0; i < regions_.size(); i++)
+        b_.records[i].cell = plan_.parts[i];
+}
+
 //! Sets the area that is usual when so many regions are left. All costs change with it.
 void SimilarMerger::expect(int num_regions)
 {
@@ -124,7 +131,7 @@ MergeRegion SimilarMerger::describe(int region) const
     const float area = float(sum.area) * scale;
     MergeRegion record = { { 0, 0, 0, mean.depth }, area, { 0, 0 },
                            0, 0, float(sum.color[0] + 16 * int64(sum.area)) * scale,
-                           region / rules_.in_cell, 0 };
+                           plan_.parts.empty() ? region / rules_.in_cell : plan_.parts[region], 0 };
     for (int k = 0; k < 3; k++)
         record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
     if (!b_.textures.empty())
@@ -375,6 +382,8 @@ void SimilarMerger::unite(const Range& pairs)
     for (int i = pairs.start; i < pairs.end; i++)
     {
         const int from = b_.chosen[i].from, to = b_.chosen[i].to;
+        if (!plan_.parts.empty())
+            plan_.unite(from, to, b_.records[from].area > b_.records[to].area);
         regions_.unite(from, to);
         if (!b_.textures.empty())
             b_.textures[to].add(b_.textures[from]);

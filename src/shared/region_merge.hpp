@@ -7,6 +7,7 @@
 
 #include "shared/region_measure.hpp"
 #include "shared/union_cost.hpp"
+#include "shared/union_plan.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -52,6 +53,9 @@ public:
     //! The graph of the buffers must have been built of the regions.
     SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions);
 
+    //! Unions of a plan are cheaper than others where colours are even.
+    void follow(const UnionPlan& plan);
+
     //! Merges until num_regions are left, or none has a neighbour.
     void run(int num_regions);
 
@@ -82,6 +86,7 @@ private:
 
     const RegionDistance distance_;
     const MergeRules rules_;
+    UnionPlan plan_;     // empty: the cells of the rules count
     double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
     bool expects_anew_;  // another area than the known costs have

@@ -6,10 +6,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// The noise between regions of the same cell of the grid of markers, in 1/64 of a squared level. So these are united
-// first where colours are even, and superpixels are the cells of the grid there.
-enum { NOISE_IN_CELL = 24 };
-
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! The words of four records: one vector for each.
@@ -189,7 +185,7 @@ void UnionCost::findFour(MergeEdge* edges) const
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
                      const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), surfaces_(surfaces),
-      noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * NOISE_IN_CELL)),
+      noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),

@@ -26,6 +26,7 @@ struct MergeRules
     int roughness = 0;     //!< so much of it, in 1/64, is no slope
     float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
+    int noise_in_cell = 24; //!< the same between regions of one cell of the grid of markers, or part of a plan
     int in_cell = 1;       //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface = false; //!< areas are those on the surface, not in the image
     int num_kept = 0;      //!< so many regions, the first ones, stay apart rather than any others
@@ -50,6 +51,7 @@ inline MergeRules mergeByTextures()
     rules.roughness = 21;
     rules.usual = 2.9f;
     rules.noise = 96;
+    rules.noise_in_cell = 12;
     return rules;
 }
 
@@ -62,7 +64,7 @@ struct MergeRegion
     short texture;  //!< logarithm of the steps of colour for each pixel
     short direction; //!< logarithm of those across over those down
     float light;    //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
-    int cell;       //!< of the grid of markers, in which the region began
+    int cell;       //!< of the grid of markers, in which the region began, or the part of the plan of unions
     int rough;      //!< steps that are no slope, as far as they count, in the unit of slopes
 };
 static_assert(sizeof(MergeRegion) == 32, "it is read as two vectors");
@@ -92,11 +94,11 @@ struct FourRegions;
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
-//! colours are equal. Between rough regions, the same differences mean less. Without the last factor, what holds both
-//! colours of a pattern is nearer to all around it than these are to each other, and takes in one after the other.
-//! Where regions grow later, s makes strips that meet end to end too large earlier, because one of single blocks may
-//! become twice as broad; else it is 1. Texture that is not measured is none. The cost is the same for both orders of
-//! the regions.
+//! colours are equal, and is less in a cell of the grid of markers or a part of a plan. Between rough regions, the same
+//! differences mean less. Without the last factor, what holds both colours of a pattern is nearer to all around it than
+//! these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet end to
+//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. Texture that is not
+//! measured is none. The cost is the same for both orders of the regions.
 class UnionCost
 {
 public:
