@@ -47,19 +47,32 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     return places;
 }
 
-//! Divides some regions into halves, by the longer side of the cells that they lie in.
-static void divide(RegionPlace* first, RegionPlace* last, int above, UnionPlan& plan)
+//! Regions of a list that are to be divided.
+struct Group
 {
+    Range range; // in the list
+    int above;   // the part that it is a half of
+};
+
+//! Divides the regions of a group into halves, by the longer side of the cells that they lie in.
+static void divide(const Group& group, std::vector<RegionPlace>& places, UnionPlan& plan, std::vector<Group>& groups)
+{
+    RegionPlace* const begin = places.data();
+    RegionPlace* const first = begin + group.range.start;
+    RegionPlace* const last = begin + group.range.end;
     Point lowest = first->cell, highest = lowest;
     for (const RegionPlace* place = first; place != last; place++)
     {
         lowest = Point(std::min(lowest.x, place->cell.x), std::min(lowest.y, place->cell.y));
         highest = Point(std::max(highest.x, place->cell.x), std::max(highest.y, place->cell.y));
     }
+    int part = group.above;
+    if (group.range.size() > 1)
+    {
+        part = int(plan.above.size());
+        plan.above.push_back(group.above);
+    }
     const Point extent = highest - lowest;
-    const int part = last - first > 1 ? int(plan.above.size()) : above;
-    if (last - first > 1)
-        plan.above.push_back(above);
     if (extent == Point())
     {
         for (const RegionPlace* place = first; place != last; place++)
@@ -68,12 +81,12 @@ static void divide(RegionPlace* first, RegionPlace* last, int above, UnionPlan& 
     }
     const bool wide = extent.x > extent.y;
     const Point middle = lowest + Point((extent.x + 1) / 2, (extent.y + 1) / 2);
-    RegionPlace* const second = std::partition(first, last, [&](const RegionPlace& place)
+    const int between = int(std::partition(first, last, [&](const RegionPlace& place)
     {
         return wide ? place.cell.x < middle.x : place.cell.y < middle.y;
-    });
-    divide(first, second, part, plan);
-    divide(second, last, part, plan);
+    }) - begin);
+    const Group halves[] = { { Range(group.range.start, between), part }, { Range(between, group.range.end), part } };
+    groups.insert(groups.end(), halves, halves + 2);
 }
 
 UnionPlan planUnions(const Mat& labels, int num_labels)
@@ -83,8 +96,14 @@ UnionPlan planUnions(const Mat& labels, int num_labels)
     for (int i = 0; i < num_labels; i++)
         plan.parts[i] = -2 - i; // differs from all others
     std::vector<RegionPlace> places = findPlaces(labels, num_labels);
+    std::vector<Group> groups;
     if (!places.empty())
-        divide(places.data(), places.data() + places.size(), -1, plan);
+        groups.push_back({ Range(0, int(places.size())), -1 });
+    for (size_t i = 0; i < groups.size(); i++)
+    {
+        const Group group = groups[i]; // the list grows
+        divide(group, places, plan, groups);
+    }
     return plan;
 }
 
