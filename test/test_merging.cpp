@@ -49,9 +49,86 @@ double commonSlope(const Vec2d& rise_a, const Vec2d& steps_a, double na, const V
                             std::pow(0.33 * std::max(0., rough - 1.5), 2));
 }
 
+//! The rows of a grid of n cells: a number near to that of square cells, if it divides n.
+int gridRows(Size size, int n)
+{
+    const double square = std::sqrt(double(n) * size.height / size.width);
+    int best = std::min({ cvRound(square), size.height, n });
+    double least = 0.08;
+    for (int rows = (n + size.width - 1) / size.width; rows <= std::min(size.height, n); rows++)
+    {
+        const double stretched = std::max(rows / square, square / rows) - 1;
+        if (n % rows == 0 && stretched < least)
+        {
+            best = rows;
+            least = stretched;
+        }
+    }
+    return best;
+}
+
+typedef std::pair<Point, int> PlacedRegion; // the cell in which its centre lies, its label
+
+//! The plan of mergeSimilar(): regions are divided into halves, and these again, by a grid of a cell for each of them.
+struct Plan
+{
+    std::vector<int> parts; // of each label: the smallest part with others; negative and different if there is none
+    std::vector<int> above; // of each part
+
+    Plan(const Mat& labels, int n)
+    {
+        const int rows = gridRows(labels.size(), n), columns = std::max(1, cvRound(double(n) / rows));
+        std::vector<Vec3i> sums(n, Vec3i::all(0));
+        for (int i = 0; i < 4 * rows; i++)
+            for (int j = 0; j < 4 * columns; j++)
+            {
+                const Point p(labels.cols * (2 * j + 1) / (8 * columns), labels.rows * (2 * i + 1) / (8 * rows));
+                sums[labels.at<int>(p)] += Vec3i(2 * j + 1, 2 * i + 1, 8);
+            }
+        std::vector<PlacedRegion> regions;
+        for (int i = 0; i < n; i++)
+        {
+            parts.push_back(-2 - i);
+            if (sums[i][2] > 0)
+                regions.push_back(PlacedRegion(Point(sums[i][0] / sums[i][2], sums[i][1] / sums[i][2]), i));
+        }
+        divide(regions, -1);
+    }
+
+    void divide(const std::vector<PlacedRegion>& regions, int whole)
+    {
+        Point lowest = regions[0].first, highest = lowest;
+        for (const PlacedRegion& region : regions)
+        {
+            lowest = Point(std::min(lowest.x, region.first.x), std::min(lowest.y, region.first.y));
+            highest = Point(std::max(highest.x, region.first.x), std::max(highest.y, region.first.y));
+        }
+        int part = whole;
+        if (regions.size() > 1)
+        {
+            part = int(above.size());
+            above.push_back(whole);
+        }
+        if (lowest == highest)
+        {
+            for (const PlacedRegion& region : regions)
+                parts[region.second] = part;
+            return;
+        }
+        const bool wide = highest.x - lowest.x > highest.y - lowest.y;
+        std::vector<PlacedRegion> halves[2];
+        for (const PlacedRegion& region : regions)
+            halves[wide ? 2 * region.first.x >= lowest.x + highest.x + (lowest.x + highest.x) % 2
+                        : 2 * region.first.y >= lowest.y + highest.y + (lowest.y + highest.y) % 2].push_back(region);
+        divide(halves[0], part);
+        divide(halves[1], part);
+    }
+};
+
 //! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
-//! from pixel to pixel are those inside of the first superpixels.
-std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n)
+//! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them.
+std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
+                                                 const std::vector<int>& parts)
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
@@ -99,7 +176,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
         const double slope = commonSlope(rises[e->first.first], ta, na, rises[e->first.second], tb, nb);
-        costs[e->first] = 0.58 * straightLog(d.dot(d) + 4 * std::min(na, nb) * slope + 1.5) +
+        const double noise = parts[e->first.first] == parts[e->first.second] ? 0.1875 : 1.5;
+        costs[e->first] = 0.58 * straightLog(d.dot(d) + 4 * std::min(na, nb) * slope + noise) +
                           straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                           0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
                           0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
@@ -128,10 +206,14 @@ std::vector<RegionKey> regionKeys(const Mat& labels, int n)
     return keys;
 }
 
-KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int n)
+KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
+                      const std::map<RegionKey, int>& parts)
 {
     const std::vector<RegionKey> keys = regionKeys(labels, n);
-    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, first, labels, n);
+    std::vector<int> part_of_label;
+    for (const RegionKey& key : keys)
+        part_of_label.push_back(parts.find(key)->second);
+    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, first, labels, n, part_of_label);
     KeyedCosts keyed;
     for (std::map<std::pair<int, int>, double>::const_iterator e = costs.begin(); e != costs.end(); ++e)
     {
@@ -183,9 +265,18 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
         std::vector<KeyedCosts> history;
         const Mat first = labelsOf(gws);
         Mat before = first;
-        for (int n = gws->getNumberOfSuperpixels(); n > 1; n--)
+        const int num_first = gws->getNumberOfSuperpixels();
+        const Plan plan(first, num_first);
+        const std::vector<RegionKey> keys = regionKeys(first, num_first);
+        std::map<RegionKey, int> parts, lowest; // lowest of the first labels
+        for (int k = 0; k < num_first; k++)
         {
-            history.push_back(keyedCosts(image, first, before, n));
+            parts[keys[k]] = plan.parts[k];
+            lowest[keys[k]] = k;
+        }
+        for (int n = num_first; n > 1; n--)
+        {
+            history.push_back(keyedCosts(image, first, before, n, parts));
             gws->mergeSimilar(n - 1);
             const Mat after = labelsOf(gws);
             const std::pair<RegionKey, RegionKey> pair = findUnion(before, after, n);
@@ -193,6 +284,13 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
             for (int k = int(history.size()) - 1; k >= 0 && history[k].count(pair) && !found; k--)
                 found = areBestNeighbors(history[k], pair);
             ASSERT_TRUE(found) << n << " superpixels";
+            // Both halves of a part are the part. Else the larger region counts; of equal ones, that which began first.
+            const RegionKey a = pair.first, b = pair.second;
+            const bool a_counts = a.second > b.second || (a.second == b.second && lowest[a] < lowest[b]);
+            const int part = parts[a_counts ? a : b];
+            const RegionKey both(std::min(a.first, b.first), a.second + b.second);
+            parts[both] = parts[a] == parts[b] && part >= 0 ? plan.above[part] : part;
+            lowest[both] = std::min(lowest[a], lowest[b]);
             before = after;
         }
     }
