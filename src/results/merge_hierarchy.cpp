@@ -18,8 +18,7 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     regions.resize(num_labels);
     measureRegions(features, labels, distance, regions, buffers.textures);
     buffers.graph.build(labels, num_labels, features, distance);
-    SimilarMerger merger(distance, mergeByTextures(), buffers, regions);
-    merger.follow(planUnions(labels, num_labels));
+    SimilarMerger merger(distance, mergeByTextures(), buffers, regions, planUnions(labels, num_labels));
     unions_ = merger.runToTheEnd();
 
     labels_ = labels;

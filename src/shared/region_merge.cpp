@@ -27,17 +27,10 @@ static inline int neighborOf(int region, uint64 price)
 }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
-                             Regions& regions)
-    : distance_(distance), rules_(rules), b_(buffers), regions_(regions), num_left_(regions.size())
+                             Regions& regions, const UnionPlan& plan)
+    : distance_(distance), rules_(rules), plan_(plan), b_(buffers), regions_(regions), num_left_(regions.size())
 {
     start();
-}
-
-void SimilarMerger::follow(const UnionPlan& plan)
-{
-    plan_ = plan;
-    for (int i = 0; i < regions_.size(); i++)
-        b_.records[i].cell = plan_.parts[i];
 }
 
 //! Sets the area that is usual when so many regions are left. All costs change with it.

@@ -50,11 +50,10 @@ struct CostBins;
 class SimilarMerger
 {
 public:
-    //! The graph of the buffers must have been built of the regions.
-    SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions);
-
-    //! Unions of a plan are cheaper than others where colours are even.
-    void follow(const UnionPlan& plan);
+    //! The graph of the buffers must have been built of the regions. Where colours are even, a plan, if there is one,
+    //! says which unions go first.
+    SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions,
+                  const UnionPlan& plan = UnionPlan());
 
     //! Merges until num_regions are left, or none has a neighbour.
     void run(int num_regions);

@@ -25,7 +25,7 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     std::vector<int> columns(samples.width);
     for (int x = 0; x < samples.width; x++)
         columns[x] = int(int64(labels.cols) * (2 * x + 1) / (2 * samples.width));
-    std::vector<Vec3d> sums(num_labels, Vec3d::all(0)); // of whole numbers
+    std::vector<Vec3d> sums(num_labels, Vec3d::all(0)); // of halves, so they are exact
     for (int y = 0; y < samples.height; y++)
     {
         const int* row = labels.ptr<int>(int(int64(labels.rows) * (2 * y + 1) / (2 * samples.height)));
