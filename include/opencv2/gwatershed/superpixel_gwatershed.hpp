@@ -173,8 +173,7 @@ public:
     @param min_element_size Smallest area allowed, in percent of the mean area (labelled pixels / N), in [0, 100]. 0
     merges nothing. A superpixel without a neighbour stays.
 
-    Throws cv::Exception before the first iterate().
-    */
+    Throws cv::Exception before the first iterate(). */
     CV_WRAP virtual void enforceLabelConnectivity(int min_element_size = 25) = 0;
 
     /** @brief Merges superpixels below an area in pixels into a neighbour, as enforceLabelConnectivity() does.
@@ -199,7 +198,7 @@ public:
     Labels keep their order, without gaps. enforceLabelConnectivity() and mergeSmall() start a new order if they merge.
 
     Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for colour, texture and more:
-    @f[ (d^2 + 4 s \min(n_a, n_b) + 1.5)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
+    @f[ (d^2 + 4 s \min(n_a, n_b) + e)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
         \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
         (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
         \max(1, (n_a + n_b) / u)^{32} @f]
@@ -212,12 +211,13 @@ public:
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
     alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
+    e is 1.5, but 3/16 between two halves of a plan, which divides the image in two, and each part again, down to single
+    superpixels. So even areas become a grid.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
 
-    Throws cv::Exception before the first iterate().
-    */
+    Throws cv::Exception before the first iterate(). */
     CV_WRAP virtual void mergeSimilar(int num_superpixels) = 0;
 
     /** @brief Measures all superpixels in one pass: area, bounding box, centroid, mean colour, mean depth, surface.
