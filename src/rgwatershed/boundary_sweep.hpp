@@ -54,6 +54,7 @@ private:
     struct Move
     {
         int index, from, to;
+        Feature feature; // of the pixel
     };
 
     //! Moves in some rows, and the regions that lost or gained by them.
