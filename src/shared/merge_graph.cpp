@@ -119,11 +119,11 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
         for (int k = range.start; k < range.end; k++)
         {
             listEdges(labels, chunks[k], features, between_pixels, builder);
-            builder.moveTo(rows_[k].edges);
-            findSegments(rows_[k]);
+            builder.moveTo(rows_[k]);
         }
     });
-    collect();
+    for (size_t k = 0; k < rows_.size(); k++)
+        spread(rows_[k]);
 }
 
 //! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
@@ -138,33 +138,33 @@ void MergeGraph::setRegions(int num_regions)
     known_.resize(num_bands + 1);
     fresh_.resize(num_bands + 1);
     leaving_.resize(num_bands + 1);
+    found_.assign(num_bands + 1, std::vector<EdgeSpan>());
     for (int k = 0; k <= num_bands; k++)
         known_[k].count = fresh_[k].count = leaving_[k].count = 0;
 }
 
-//! Regions that touch a row mostly have numbers that are near each other, so segments are long.
-void MergeGraph::findSegments(EdgeRows& rows) const
+//! Shares edges that were found among the lists. Regions that touch a row mostly have numbers that are near each other,
+//! so spans are long.
+void MergeGraph::spread(const EdgeList& list)
 {
-    const EdgeList& list = rows.edges;
-    rows.segments.clear();
-    for (size_t i = 0; i < list.count;)
+    const MergeEdge *edge = list.edges.data(), *const end = edge + list.count;
+    while (edge != end)
     {
-        EdgeRows::Segment segment = { listOf(list.edges[i].a, list.edges[i].b), i, i };
-        while (i < list.count && listOf(list.edges[i].a, list.edges[i].b) == segment.list)
-            i++;
-        segment.last = i;
-        rows.segments.push_back(segment);
+        const MergeEdge* const first = edge;
+        const int own = listOf(first->a, first->b);
+        while (edge != end && listOf(edge->a, edge->b) == own)
+            edge++;
+        const EdgeSpan span = { first, size_t(edge - first) };
+        found_[own].push_back(span);
     }
 }
 
-void MergeGraph::collect()
+size_t MergeGraph::countUnjoined(int k) const
 {
-    for (size_t k = 0; k < rows_.size(); k++)
-        for (size_t i = 0; i < rows_[k].segments.size(); i++)
-        {
-            const EdgeRows::Segment& segment = rows_[k].segments[i];
-            fresh_[segment.list].append(rows_[k].edges, segment.first, segment.last);
-        }
+    size_t count = fresh_[k].count;
+    for (size_t i = 0; i < found_[k].size(); i++)
+        count += found_[k][i].count;
+    return count;
 }
 
 void MergeGraph::relabel(const std::vector<int>& parents, const std::vector<uchar>& changed)
@@ -229,17 +229,16 @@ void MergeGraph::handOver()
 
 enum { FREE = INT_MAX }; // in a table of edges
 
-//! Makes one edge of those between the same regions. Returns how many there are then. The table, of so many bits, has
-//! the index of each edge, in the first free slot; most slots stay free. Behind the edges one is ready that the pair of
-//! regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that one, and there is no
-//! branch.
-static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* table, MergeEdge* edges)
+//! Makes one edge of those between the same regions, behind `count` of them. Returns how many there are then. The table,
+//! of so many bits, has the index of each edge, in the first free slot; most slots stay free. Behind the edges one is
+//! ready that the pair of regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that
+//! one, and there is no branch.
+static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edges, int count)
 {
     const unsigned last_slot = (1u << bits) - 1;
-    int count = 0;
-    for (const MergeEdge* end = from + num_edges; from != end; from++)
+    for (const MergeEdge *edge = from.first, *end = edge + from.count; edge != end; edge++)
     {
-        const int a = from->a, b = from->b;
+        const int a = edge->a, b = edge->b;
         const MergeEdge ready = { a, b, 0, 0, 0 };
         edges[count] = ready;
         unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
@@ -249,24 +248,30 @@ static size_t joinEdges(const MergeEdge* from, size_t num_edges, int bits, int* 
             slot = (slot + 1) & last_slot;
             to = lowerOf(table[slot], count);
         }
-        edges[to].length += from->length;
-        edges[to].contrast += from->contrast;
+        edges[to].length += edge->length;
+        edges[to].contrast += edge->contrast;
         table[slot] = to;
         count += to == count;
     }
-    return size_t(count);
+    return count;
 }
 
 size_t MergeGraph::join(int k, std::vector<int>& table)
 {
     EdgeList &known = known_[k], &fresh = fresh_[k];
-    const size_t first = known.count;
+    const size_t first = known.count, num_edges = countUnjoined(k);
     int bits = 4;
-    while ((size_t(1) << bits) < 3 * fresh.count)
+    while ((size_t(1) << bits) < 3 * num_edges)
         bits++;
     table.assign(size_t(1) << bits, FREE);
-    known.reserve(first + fresh.count);
-    known.count += joinEdges(fresh.edges.data(), fresh.count, bits, table.data(), known.edges.data() + first);
+    known.reserve(first + num_edges);
+    const EdgeSpan of_fresh = { fresh.edges.data(), fresh.count };
+    found_[k].push_back(of_fresh);
+    int count = 0;
+    for (size_t i = 0; i < found_[k].size(); i++)
+        count = joinEdges(found_[k][i], bits, table.data(), known.edges.data() + first, count);
+    known.count += size_t(count);
+    found_[k].clear();
     fresh.count = 0;
     return first;
 }

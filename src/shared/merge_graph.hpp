@@ -38,18 +38,11 @@ struct EdgeList
     }
 };
 
-//! The edges in some rows of a label map.
-struct EdgeRows
+//! Some edges that lie one after the other in a list.
+struct EdgeSpan
 {
-    //! Edges first..last-1, all of one list of the graph.
-    struct Segment
-    {
-        int list;
-        size_t first, last;
-    };
-
-    EdgeList edges;
-    std::vector<Segment> segments;
+    const MergeEdge* first;
+    size_t count;
 };
 
 //! The edges that were found in some rows, and what finds them.
@@ -97,7 +90,8 @@ public:
     //! they are joined.
     void relabel(const std::vector<int>& parents, const std::vector<uchar>& changed);
 
-    //! Adds the edges that were set aside to the others of a list, one for each two regions. Returns where they begin.
+    //! Adds the edges that were set aside, or found in the label map, to the others of a list, one for each two regions.
+    //! Returns where they begin.
     size_t join(int k, std::vector<int>& table);
 
     //! Calls body(k, table) for all bands, at the same time if that pays. A table is for calls one after the other.
@@ -108,8 +102,8 @@ public:
 private:
     int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);
-    void findSegments(EdgeRows& rows) const;
-    void collect();
+    void spread(const EdgeList& edges);
+    size_t countUnjoined(int k) const;
     void relabel(int k, const int* parents, const uchar* changed);
     void findLeaving(int k);
     void handOver();
@@ -117,7 +111,8 @@ private:
 
     int num_regions_ = 0, band_shift_ = 0;
     std::vector<EdgeList> known_, fresh_, leaving_; // of each list: fresh are set aside, leaving go to another list
-    std::vector<EdgeRows> rows_;
+    std::vector<EdgeList> rows_;                    // edges as they were found in some rows of the label map
+    std::vector<std::vector<EdgeSpan> > found_;     // those of each list, until they are joined
     std::vector<EdgeBuilder> builders_;
     std::vector<std::vector<int> > tables_;
 };
@@ -126,8 +121,8 @@ template <typename Body> void MergeGraph::forAll(int count, const Body& body)
 {
     const size_t FEW = 2048; // edges
     size_t num_edges = 0;
-    for (size_t k = 0; k < known_.size(); k++)
-        num_edges += known_[k].count + fresh_[k].count;
+    for (int k = 0; k <= numBands(); k++)
+        num_edges += known_[k].count + countUnjoined(k);
     tables_.resize(known_.size());
     const auto work = [&](const Range& range)
     {
