@@ -16,8 +16,9 @@ static inline v_uint8x16 gather(const Feature* features, const int* positions)
     return v_reinterpret_as_u8(v_uint32x4(words[0], words[1], words[2], words[3]));
 }
 
-void EdgeBuilder::start(int cols)
+void EdgeBuilder::start(int cols, bool joins_rows)
 {
+    joins_rows_ = joins_rows;
     edges_.count = 0;
     positions_.resize(cols + NUM_BEHIND);
     contrasts_.resize(cols + NUM_BEHIND);
@@ -47,33 +48,45 @@ static inline bool isBetween(const MergeEdge& edge, int a, int b)
     return ((edge.a ^ a) | (edge.b ^ b)) == 0;
 }
 
-//! Most edges are between the same regions as the one before, or as one of the row above. It cannot be foreseen well
-//! which ones, so there is one branch only.
-void EdgeBuilder::addAll(const int* row, const int* other, int count)
+//! Edges between the same regions that follow each other are one. Which ones do cannot be foreseen, so there is no
+//! branch: each is written, and the next one overwrites it if it is of the same.
+void EdgeBuilder::addRow(const int* row, const int* other, int count)
 {
-    edges_.reserve(edges_.count + count);
-    MergeEdge* const edges = edges_.edges.data();
-    size_t* const latest = latest_.data();
     const int *positions = positions_.data(), *contrasts = contrasts_.data();
+    MergeEdge* const edges = edges_.edges.data();
+    MergeEdge last = { -1, -1, 0, 0, 0 };
     size_t num_edges = edges_.count;
     for (int i = 0; i < count; i++)
     {
         const int label = row[positions[i]], neighbor = other[positions[i]];
-        const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a;
-        const unsigned hash = unsigned(a) * 0x9E3779B1u + unsigned(b) * 0x85EBCA77u;
+        const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a, same = -int(isBetween(last, a, b));
+        num_edges += size_t((same + 1) & ~(last.a >> 31));
+        const MergeEdge edge = { a, b, (last.length & same) + 1, 0, (last.contrast & same) + contrasts[i] };
+        edges[num_edges] = last = edge;
+    }
+    edges_.count = num_edges + size_t(1 & ~(last.a >> 31));
+}
+
+//! Joins the edges from one on with those of the rows above, where most are between the same regions.
+void EdgeBuilder::joinRow(size_t first)
+{
+    MergeEdge* const edges = edges_.edges.data();
+    size_t* const latest = latest_.data();
+    size_t num_edges = first;
+    for (size_t i = first; i < edges_.count; i++)
+    {
+        const MergeEdge edge = edges[i];
+        const unsigned hash = unsigned(edge.a) * 0x9E3779B1u + unsigned(edge.b) * 0x85EBCA77u;
         size_t& place = latest[hash >> (32 - LATEST_BITS)];
         MergeEdge& known = edges[std::min(place, num_edges)];
-        if ((place < num_edges) & isBetween(known, a, b))
+        if ((place < num_edges) & isBetween(known, edge.a, edge.b))
         {
-            known.length++;
-            known.contrast += contrasts[i];
+            known.length += edge.length;
+            known.contrast += edge.contrast;
+            continue;
         }
-        else if (a >= 0)
-        {
-            const MergeEdge edge = { a, b, 1, 0, contrasts[i] };
-            edges[num_edges] = edge;
-            place = num_edges++;
-        }
+        edges[num_edges] = edge;
+        place = num_edges++;
     }
     edges_.count = num_edges;
 }
@@ -87,14 +100,17 @@ void EdgeBuilder::add(const int* row, const int* other, const Feature* features,
         measureContrasts<true>(features, other_features, count, distance);
     else
         measureContrasts<false>(features, other_features, count, distance);
-    addAll(row, other, count);
+    edges_.reserve(edges_.count + count);
+    const size_t first = edges_.count;
+    addRow(row, other, count);
+    if (joins_rows_)
+        joinRow(first);
 }
 
 static void listEdges(const Mat& labels, const Range& rows, const Padded<Feature>& features,
                       const RegionDistance& distance, EdgeBuilder& builder)
 {
     const int cols = labels.cols;
-    builder.start(cols);
     for (int y = rows.start; y < rows.end; y++)
     {
         const int* row = labels.ptr<int>(y);
@@ -110,6 +126,8 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
     CV_TRACE_FUNCTION();
     const RegionDistance between_pixels = distance.withoutSurface();
     const RowChunks chunks(labels.rows);
+    const int LARGE = 64; // pixels; the boundaries of smaller ones have few in common with the rows above
+    const bool large_regions = labels.total() > LARGE * size_t(num_regions);
     setRegions(num_regions);
     rows_.resize(chunks.size());
     builders_.resize(chunks.size());
@@ -118,6 +136,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
         EdgeBuilder& builder = builders_[range.start];
         for (int k = range.start; k < range.end; k++)
         {
+            builder.start(labels.cols, large_regions);
             listEdges(labels, chunks[k], features, between_pixels, builder);
             builder.moveTo(rows_[k]);
         }

@@ -49,14 +49,15 @@ struct EdgeSpan
 class EdgeBuilder
 {
 public:
-    //! Forgets all edges. Rows have up to so many pixels.
-    void start(int cols);
+    //! Forgets all edges. Rows have up to so many pixels. If joins_rows, there are few edges between the same regions,
+    //! else one for each row, which takes less time where boundaries are short.
+    void start(int cols, bool joins_rows);
 
     //! Adds the edges between the pixels of a row and those beside them in another one, or in the same one shifted.
     void add(const int* row, const int* other, const Feature* features, const Feature* other_features, int cols,
              const RegionDistance& distance);
 
-    //! Gives the edges away. Between two regions there may be several, but few.
+    //! Gives the edges away.
     void moveTo(EdgeList& to) { std::swap(edges_, to); }
 
 private:
@@ -64,8 +65,10 @@ private:
 
     template <bool WITH_DEPTH>
     void measureContrasts(const Feature* features, const Feature* others, int count, const RegionDistance& distance);
-    void addAll(const int* row, const int* other, int count);
+    void addRow(const int* row, const int* other, int count);
+    void joinRow(size_t first);
 
+    bool joins_rows_ = false;
     EdgeList edges_;
     std::vector<int> positions_, contrasts_; // in a row, with room behind them
     std::vector<size_t> latest_; // for each pair of labels, but shared by many: where an edge between them may be
