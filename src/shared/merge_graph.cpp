@@ -162,8 +162,8 @@ void MergeGraph::setRegions(int num_regions)
         known_[k].count = fresh_[k].count = leaving_[k].count = 0;
 }
 
-//! Shares edges that were found among the lists. Regions that touch a row mostly have numbers that are near each other,
-//! so spans are long.
+//! Shares edges that were found among the lists. Regions that touch a row mostly have numbers that are near each
+//! other, so spans are long.
 void MergeGraph::spread(const EdgeList& list)
 {
     const MergeEdge *edge = list.edges.data(), *const end = edge + list.count;
@@ -248,10 +248,10 @@ void MergeGraph::handOver()
 
 enum { FREE = INT_MAX }; // in a table of edges
 
-//! Makes one edge of those between the same regions, behind `count` of them. Returns how many there are then. The table,
-//! of so many bits, has the index of each edge, in the first free slot; most slots stay free. Behind the edges one is
-//! ready that the pair of regions gets if it is new, which cannot be foreseen: so a slot that is free stands for that
-//! one, and there is no branch.
+//! Makes one edge of those between the same regions, behind `count` of them. Returns how many there are then. The
+//! table, of so many bits, has the index of each edge, in the first free slot; most slots stay free. Behind the edges
+//! one is ready that the pair of regions gets if it is new, which cannot be foreseen: so a slot that is free stands for
+//! that one, and there is no branch.
 static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edges, int count)
 {
     const unsigned last_slot = (1u << bits) - 1;

@@ -93,8 +93,8 @@ public:
     //! they are joined.
     void relabel(const std::vector<int>& parents, const std::vector<uchar>& changed);
 
-    //! Adds the edges that were set aside, or found in the label map, to the others of a list, one for each two regions.
-    //! Returns where they begin.
+    //! Adds the edges that were set aside, or found in the label map, to the others of a list, one for each two
+    //! regions. Returns where they begin.
     size_t join(int k, std::vector<int>& table);
 
     //! Calls body(k, table) for all bands, at the same time if that pays. A table is for calls one after the other.
