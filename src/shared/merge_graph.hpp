@@ -122,7 +122,7 @@ private:
 
 template <typename Body> void MergeGraph::forAll(int count, const Body& body)
 {
-    const size_t FEW = 12000; // edges: of less, most of the time is that until threads have what others wrote
+    const size_t FEW = 6000; // edges: of less, most of the time is that until threads have what others wrote
     size_t num_edges = 0;
     for (int k = 0; k <= numBands(); k++)
         num_edges += known_[k].count + countUnjoined(k);
