@@ -148,7 +148,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
 //! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
 void MergeGraph::setRegions(int num_regions)
 {
-    const int SMALLEST = 9, LARGEST = 11, FEW = 8; // bits of numbers of regions
+    const int SMALLEST = 9, LARGEST = 13, FEW = 8; // bits of numbers of regions
     num_regions_ = num_regions;
     band_shift_ = SMALLEST;
     while (band_shift_ < LARGEST && (num_regions >> band_shift_) >= FEW)
