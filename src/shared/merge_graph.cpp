@@ -164,9 +164,9 @@ void MergeGraph::setRegions(int num_regions)
 
 //! Shares edges that were found among the lists. Regions that touch a row mostly have numbers that are near each
 //! other, so spans are long.
-void MergeGraph::spread(const EdgeList& list)
+void MergeGraph::spread(const EdgeList& edges)
 {
-    const MergeEdge *edge = list.edges.data(), *const end = edge + list.count;
+    const MergeEdge *edge = edges.edges.data(), *const end = edge + edges.count;
     while (edge != end)
     {
         const MergeEdge* const first = edge;
