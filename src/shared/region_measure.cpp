@@ -94,12 +94,12 @@ private:
     v_uint16x8 sums_;
 };
 
-enum { AT_ONCE = 16 };
+enum { AT_ONCE = 12 };
 
 //! As many of AT_ONCE words are all bits as are asked for, the others none.
 inline const int* firstWords(int count)
 {
-    static const int MASKS[2 * AT_ONCE] = { -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1 };
+    static const int MASKS[2 * AT_ONCE] = { -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1 };
     return MASKS + AT_ONCE - count;
 }
 
