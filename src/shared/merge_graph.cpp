@@ -16,6 +16,12 @@ static inline v_uint8x16 gather(const Feature* features, const int* positions)
     return v_reinterpret_as_u8(v_uint32x4(words[0], words[1], words[2], words[3]));
 }
 
+//! The upper bits are those to use.
+static inline unsigned hashOf(const MergeEdge& edge)
+{
+    return unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u;
+}
+
 void EdgeBuilder::start(int cols, bool joins_rows)
 {
     joins_rows_ = joins_rows;
@@ -76,8 +82,7 @@ void EdgeBuilder::joinRow(size_t first)
     for (size_t i = first; i < edges_.count; i++)
     {
         const MergeEdge edge = edges[i];
-        const unsigned hash = unsigned(edge.a) * 0x9E3779B1u + unsigned(edge.b) * 0x85EBCA77u;
-        size_t& place = latest[hash >> (32 - LATEST_BITS)];
+        size_t& place = latest[hashOf(edge) >> (32 - LATEST_BITS)];
         MergeEdge& known = edges[std::min(place, num_edges)];
         if ((place < num_edges) & isBetween(known, edge.a, edge.b))
         {
@@ -229,7 +234,7 @@ void MergeGraph::findLeaving(int k)
             i++;
             continue;
         }
-        leaving.append(fresh, i, i + 1);
+        leaving.add(fresh.edges[i]);
         fresh.edges[i] = fresh.edges[--fresh.count];
     }
 }
@@ -241,7 +246,7 @@ void MergeGraph::handOver()
     {
         const EdgeList& from = leaving_[k];
         for (size_t i = 0; i < from.count; i++)
-            fresh_[listOf(from.edges[i].a, from.edges[i].b)].append(from, i, i + 1);
+            fresh_[listOf(from.edges[i].a, from.edges[i].b)].add(from.edges[i]);
         leaving_[k].count = 0;
     }
 }
@@ -260,7 +265,7 @@ static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edge
         const int a = edge->a, b = edge->b;
         const MergeEdge ready = { a, b, 0, 0, 0 };
         edges[count] = ready;
-        unsigned slot = (unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u) >> (32 - bits);
+        unsigned slot = hashOf(*edge) >> (32 - bits);
         int to = lowerOf(table[slot], count);
         while (!isBetween(edges[to], a, b)) // seldom
         {

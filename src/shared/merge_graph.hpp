@@ -29,12 +29,11 @@ struct EdgeList
         if (edges.size() < room)
             edges.resize(room + room / 4);
     }
-    //! Adds edges first..last-1 of another list.
-    void append(const EdgeList& from, size_t first, size_t last)
+    //! Adds an edge that is not in this list.
+    void add(const MergeEdge& edge)
     {
-        reserve(count + last - first);
-        std::copy(from.edges.data() + first, from.edges.data() + last, edges.data() + count);
-        count += last - first;
+        reserve(count + 1);
+        edges[count++] = edge;
     }
 };
 
@@ -50,7 +49,7 @@ class EdgeBuilder
 {
 public:
     //! Forgets all edges. Rows have up to so many pixels. If joins_rows, there are few edges between the same regions,
-    //! else one for each row, which takes less time where boundaries are short.
+    //! else one or more for each row, which takes less time where boundaries are short.
     void start(int cols, bool joins_rows);
 
     //! Adds the edges between the pixels of a row and those beside them in another one, or in the same one shifted.
