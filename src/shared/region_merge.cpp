@@ -11,8 +11,8 @@ namespace cv { namespace ximgproc { namespace gws {
 // they are a pair; the cheaper pairs are united. All is done by passes over the edges and over the regions, in the
 // order of the image. No region is in two pairs, so bands of regions can be worked on at the same time.
 
-// Of the pairs, so many are united in a round: always the same share where the order of all unions counts; else more, as
-// long as there are far more regions than are wanted.
+// Of the pairs, such a share is united in a round: always the same one where the order of all unions counts; else a
+// larger one, as long as there are far more regions than are wanted.
 static const double SHARE_IN_ORDER = 0.4, SHARE_AT_END = 0.35, MOST_OF_ALL = 0.8;
 static const uint64 NO_PRICE = ~uint64(0);
 
