@@ -50,7 +50,7 @@ double shareKept(const Mat& last, const Mat& now, Point motion)
 }
 
 //! Mean share over a camera that moves over a noisy scene.
-double shareKeptWhileMoving(int algorithm, bool temporal, Point motion, RNG& rng)
+double shareKeptInScene(int algorithm, bool temporal, Point motion, RNG& rng)
 {
     const Size size(200, 150);
     const Mat scene = makeScene(Size(300, 260), rng);
@@ -71,10 +71,20 @@ double shareKeptWhileMoving(int algorithm, bool temporal, Point motion, RNG& rng
     return sum / frames;
 }
 
+//! The same over some scenes, because they differ: the lowest of 500 has 0.38 where the mean is 0.5.
+double shareKeptWhileMoving(int algorithm, bool temporal, Point motion, RNG& rng)
+{
+    const int scenes = 5;
+    double sum = 0;
+    for (int i = 0; i < scenes; i++)
+        sum += shareKeptInScene(algorithm, temporal, motion, rng);
+    return sum / scenes;
+}
+
 TEST_P(ximgproc_GWatershed_temporal, labels_stay_with_what_moves)
 {
     const Point motions[] = { Point(0, 0), Point(1, 0), Point(-2, 3), Point(4, -4) };
-    const double expected[2][4] = { { 0.75, 0.7, 0.6, 0.45 }, { 0.93, 0.7, 0.5, 0.42 } };
+    const double expected[2][4] = { { 0.8, 0.79, 0.7, 0.57 }, { 0.94, 0.77, 0.54, 0.44 } };
     for (int i = 0; i < 4; i++)
     {
         RNG& rng = theRNG();
