@@ -199,10 +199,10 @@ static Mat segmentTurned(const Mat& image, bool mirrored, int algorithm)
     return back;
 }
 
-//! Mean agreement with transposed and with mirrored images.
+//! Mean agreement with transposed and with mirrored images. Of few scenes it differs by 0.02.
 static Vec2d meanAgreement(int algorithm, Size size)
 {
-    const int count = 6;
+    const int count = 18;
     Vec2d mean(0, 0);
     for (int i = 0; i < count; i++)
     {
@@ -222,8 +222,8 @@ TEST(ximgproc_SuperpixelGWatershed, has_no_direction)
     const Vec2d plain = meanAgreement(GWATERSHED, size), guided = meanAgreement(RGWATERSHED, size);
     EXPECT_GE(plain[0], 0.95) << "transposed";
     EXPECT_GE(plain[1], 0.95) << "mirrored";
-    EXPECT_GE(guided[0], 0.84) << "transposed"; // scenes have noise; on photographs it is 0.93
-    EXPECT_GE(guided[1], 0.84) << "mirrored";   // and 0.91
+    EXPECT_GE(guided[0], 0.88) << "transposed"; // scenes have noise; on photographs it is 0.93
+    EXPECT_GE(guided[1], 0.855) << "mirrored";  // and 0.91
 }
 
 // Where blocks do not divide the image, short ones lie in the middle.
@@ -232,8 +232,8 @@ TEST(ximgproc_SuperpixelGWatershed, has_no_direction_where_blocks_do_not_divide_
     for (int rest = 1; rest < 4; rest++)
     {
         const Vec2d agreement = meanAgreement(RGWATERSHED, Size(240 + rest, 160 + rest));
-        EXPECT_GE(agreement[0], 0.86) << "transposed, " << rest;
-        EXPECT_GE(agreement[1], 0.90) << "mirrored, " << rest;
+        EXPECT_GE(agreement[0], 0.865) << "transposed, " << rest;
+        EXPECT_GE(agreement[1], 0.91) << "mirrored, " << rest;
     }
 }
 
