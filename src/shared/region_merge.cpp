@@ -11,9 +11,9 @@ namespace cv { namespace ximgproc { namespace gws {
 // they are a pair; the cheaper pairs are united. All is done by passes over the edges and over the regions, in the
 // order of the image. No region is in two pairs, so bands of regions can be worked on at the same time.
 
-// Of the pairs, such a share is united in a round: always the same one where the order of all unions counts; else a
-// larger one, as long as there are far more regions than are wanted.
-static const double SHARE_IN_ORDER = 0.4, SHARE_AT_END = 0.35, MOST_OF_ALL = 0.8;
+// Of the pairs, such a share is united in a round: always the same one where the order of all unions counts; else as
+// many times SHARE_AT_END as there are regions for each one that is wanted, up to a highest share.
+static const double SHARE_IN_ORDER = 0.4, SHARE_AT_END = 0.35, HIGHEST_SHARE = 0.8;
 static const uint64 NO_PRICE = ~uint64(0);
 
 //! Cheaper unions first; of equal costs that of the nearest numbers, which differs for all neighbours of a region.
@@ -148,7 +148,7 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
         return false;
     const size_t FEWEST = 32; // active regions for each pair; else they depend on each other in long chains, or on one
     const double share = in_order ? SHARE_IN_ORDER
-            : std::min(MOST_OF_ALL, SHARE_AT_END * double(num_left_) / num_wanted);
+            : std::min(HIGHEST_SHARE, SHARE_AT_END * double(num_left_) / num_wanted);
     const size_t most = num_left_ - num_wanted;
     const bool one_sided = num_pairs * FEWEST < num_active;
     if (one_sided)
