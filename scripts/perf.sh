@@ -13,6 +13,8 @@ if [ $# -eq 0 ]; then
     [ -x "$program" ] || fail "there is no $program yet: run scripts/test.sh"
     export OPENCV_SAMPLES_DATA_PATH=$place/source/samples/data
     mkdir -p "$place/results"
+    # Memory that a method gives back to the system costs the next ones time on a virtual machine, page by page.
+    export MALLOC_MMAP_MAX_=0 MALLOC_TRIM_THRESHOLD_=$((1 << 40))
     last=$(($(nproc) - 1))
     for threads in 1 2; do
         say "timing with $threads thread(s)"

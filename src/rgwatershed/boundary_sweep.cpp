@@ -192,10 +192,14 @@ BoundaryList& BoundarySweeper::listOf(int band)
     return band % bands_in_group_ == 0 ? lists.first : band % 2 == 0 ? lists.even : lists.odd;
 }
 
-void BoundarySweeper::begin(Size size)
+void BoundarySweeper::begin(Size size, bool marks_moves)
 {
+    const Size in_quads((size.width + 1) / 2, (size.height + 1) / 2);
     masks_.create(size, uchar(INTERIOR));
-    marks_.create(Size((size.width + 1) / 2, (size.height + 1) / 2), uchar(0));
+    if (marks_moves)
+        marks_.create(in_quads, uchar(0));
+    else
+        marks_.reserve(in_quads);
 }
 
 void BoundarySweeper::clearMarks(const Range& rows)
@@ -221,11 +225,12 @@ void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rul
                                Regions& regions)
 {
     const Size size = labels.size();
-    begin(size);
+    begin(size, !rules.last);
     parallel_for_(Range(0, size.height), [&](const Range& rows) { findMasks(labels, rows, masks_); });
     sweep([&](const Range& rows, BoundaryList& list)
     {
-        clearMarks(rows);
+        if (!rules.last)
+            clearMarks(rows);
         listBoundary(masks_, rows, list);
     }, features, rules, labels, regions);
 }
@@ -233,12 +238,13 @@ void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rul
 void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
                                   const SweepRules& rules, Padded<int>& labels, Regions& regions)
 {
-    begin(features.size());
+    begin(features.size(), !rules.last);
     labels.create(features.size(), OUTSIDE);
     sweep([&](const Range& rows, BoundaryList& list)
     {
         const Range pixel_rows(2 * rows.start, std::min(2 * rows.end, labels.size().height));
-        clearMarks(rows);
+        if (!rules.last)
+            clearMarks(rows);
         spreadLabels(blocks, grid, pixel_rows, labels);
         findMasksInBlocks(blocks, grid, pixel_rows, masks_);
         listBoundary(masks_, rows, list);

@@ -22,7 +22,7 @@ struct SweepRules
     Mat markers;               //!< of the user: pixels with a value of 0 or more stay; may be empty
     VariationGuard* guard = 0; //!< may be 0
     int most_area = INT_MAX;   //!< a larger region gains no pixel, or one with both colours of a pattern would grow on
-    bool last = false;         //!< the sums and means of the regions are not needed after it
+    bool last = false;         //!< no sweep follows, and the sums and means of the regions are not needed any more
 };
 
 //! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
@@ -73,7 +73,7 @@ private:
 
     typedef std::function<void(const Range& rows, BoundaryList& list)> List;
 
-    void begin(Size size);
+    void begin(Size size, bool marks_moves);
     void clearMarks(const Range& rows);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
