@@ -192,20 +192,24 @@ BoundaryList& BoundarySweeper::listOf(int band)
     return band % bands_in_group_ == 0 ? lists.first : band % 2 == 0 ? lists.even : lists.odd;
 }
 
-void BoundarySweeper::begin(Size size, bool marks_moves)
+//! The last sweep makes no marks, but counts in quads, too.
+void BoundarySweeper::begin(Size size, bool last)
 {
     const Size in_quads((size.width + 1) / 2, (size.height + 1) / 2);
     masks_.create(size, uchar(INTERIOR));
-    if (marks_moves)
-        marks_.create(in_quads, uchar(0));
-    else
+    if (last)
         marks_.reserve(in_quads);
+    else
+        marks_.create(in_quads, uchar(0));
 }
 
-void BoundarySweeper::clearMarks(const Range& rows)
+//! Lists the whole boundary in some rows of quads, which have no marks yet.
+void BoundarySweeper::listAll(const Range& rows, bool last, BoundaryList& list)
 {
-    for (int row = rows.start; row < rows.end; row++)
-        std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
+    if (!last)
+        for (int row = rows.start; row < rows.end; row++)
+            std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
+    listBoundary(masks_, rows, list);
 }
 
 //! Reads the pixels of some rows of quads once, in order, before a sweep reads them here and there: so they come into
@@ -225,29 +229,23 @@ void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rul
                                Regions& regions)
 {
     const Size size = labels.size();
-    begin(size, !rules.last);
+    begin(size, rules.last);
     parallel_for_(Range(0, size.height), [&](const Range& rows) { findMasks(labels, rows, masks_); });
-    sweep([&](const Range& rows, BoundaryList& list)
-    {
-        if (!rules.last)
-            clearMarks(rows);
-        listBoundary(masks_, rows, list);
-    }, features, rules, labels, regions);
+    sweep([&](const Range& rows, BoundaryList& list) { listAll(rows, rules.last, list); }, features, rules, labels,
+          regions);
 }
 
 void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
                                   const SweepRules& rules, Padded<int>& labels, Regions& regions)
 {
-    begin(features.size(), !rules.last);
+    begin(features.size(), rules.last);
     labels.create(features.size(), OUTSIDE);
     sweep([&](const Range& rows, BoundaryList& list)
     {
         const Range pixel_rows(2 * rows.start, std::min(2 * rows.end, labels.size().height));
-        if (!rules.last)
-            clearMarks(rows);
         spreadLabels(blocks, grid, pixel_rows, labels);
         findMasksInBlocks(blocks, grid, pixel_rows, masks_);
-        listBoundary(masks_, rows, list);
+        listAll(rows, rules.last, list);
     }, features, rules, labels, regions);
 }
 

@@ -73,8 +73,8 @@ private:
 
     typedef std::function<void(const Range& rows, BoundaryList& list)> List;
 
-    void begin(Size size, bool marks_moves);
-    void clearMarks(const Range& rows);
+    void begin(Size size, bool last);
+    void listAll(const Range& rows, bool last, BoundaryList& list);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
     void updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
