@@ -212,12 +212,16 @@ void BoundarySweeper::listAll(const Range& rows, bool last, BoundaryList& list)
     listBoundary(masks_, rows, list);
 }
 
+//! The rows of pixels in some rows of quads.
+static Range pixelRows(const Range& rows, int height) { return Range(2 * rows.start, std::min(2 * rows.end, height)); }
+
 //! Reads the pixels of some rows of quads once, in order, before a sweep reads them here and there: so they come into
 //! the cache faster.
 static void readAhead(const FeatureMap& features, const Range& rows)
 {
     const int LINE = 64 / int(sizeof(Feature)); // of a cache
-    for (int y = 2 * rows.start; y < std::min(2 * rows.end, features.size().height); y++)
+    const Range pixel_rows = pixelRows(rows, features.size().height);
+    for (int y = pixel_rows.start; y < pixel_rows.end; y++)
     {
         const volatile Feature* row = features.row(y);
         for (int x = 0; x < features.size().width; x += LINE)
@@ -225,14 +229,16 @@ static void readAhead(const FeatureMap& features, const Range& rows)
     }
 }
 
+//! Masks may be found band by band: the rows beside another band have not moved when it begins.
 void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                                Regions& regions)
 {
-    const Size size = labels.size();
-    begin(size, rules.last);
-    parallel_for_(Range(0, size.height), [&](const Range& rows) { findMasks(labels, rows, masks_); });
-    sweep([&](const Range& rows, BoundaryList& list) { listAll(rows, rules.last, list); }, features, rules, labels,
-          regions);
+    begin(labels.size(), rules.last);
+    sweep([&](const Range& rows, BoundaryList& list)
+    {
+        findMasks(labels, pixelRows(rows, labels.size().height), masks_);
+        listAll(rows, rules.last, list);
+    }, features, rules, labels, regions);
 }
 
 void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
@@ -242,7 +248,7 @@ void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& gr
     labels.create(features.size(), OUTSIDE);
     sweep([&](const Range& rows, BoundaryList& list)
     {
-        const Range pixel_rows(2 * rows.start, std::min(2 * rows.end, labels.size().height));
+        const Range pixel_rows = pixelRows(rows, labels.size().height);
         spreadLabels(blocks, grid, pixel_rows, labels);
         findMasksInBlocks(blocks, grid, pixel_rows, masks_);
         listAll(rows, rules.last, list);
