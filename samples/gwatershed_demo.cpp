@@ -24,7 +24,7 @@ static const char* const KEYS =
     "{o output       |     | segment -i without a window and write <o>_contours.png, <o>_mean.png, <o>_labels.png }"
     "{c camera       | 0   | camera id, video file, or folder of frames; openni2 or realsense: a camera with depth }"
     "{s region_size  | 20  | side of a superpixel in pixels }"
-    "{k superpixels  | 0   | number of superpixels, instead of region_size if not 0 }"
+    "{k superpixels  | 0   | with -o: number of superpixels, instead of region_size if not 0 }"
     "{r ruler        | 10  | compactness }"
     "{e effort       | 1   | from 0, the fastest, to 3, the best }"
     "{a alpha        | 0.5 | weight of colour against depth }"

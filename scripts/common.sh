@@ -90,6 +90,11 @@ run_gtest() { # NAME PROGRAM ARGUMENTS...
     fi
     tests=$(sed -n 's/.*<testsuites tests="\([0-9]*\)".*/\1/p' "$xml")
     failures=$(sed -n 's/.*<testsuites tests="[0-9]*" failures="\([0-9]*\)".*/\1/p' "$xml")
+    if [ "${tests:-0}" -eq 0 ]; then
+        echo "  $name ran no test"
+        count 0 1
+        return
+    fi
     grep -E -B 20 '^\[  FAILED  \]' "$results/$name.log" || true
     echo "  $tests tests, $failures failed; log: $results/$name.log"
     count $((tests - failures)) "$failures"

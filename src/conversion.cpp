@@ -73,24 +73,33 @@ private:
             takeOneOf(1);
     }
 
-    //! One value of each `step`.
+    //! One value of each `step`, some at a time.
     void takeOneOf(int64 step)
     {
-        const size_t bytes = image_.elemSize1();
+        const size_t AT_ONCE = 16384, bytes = image_.elemSize1();
         std::vector<uchar> raw;
+        values_.clear();
         visitSample(Size(image_.cols * colors_, image_.rows), step, [&](int y, int i)
         {
             const int x = i / colors_ * channels_ + i % colors_;
             const uchar* value = image_.ptr(y) + size_t(x) * bytes;
             if (counts(y, x))
                 raw.insert(raw.end(), value, value + bytes);
+            if (raw.size() == AT_ONCE * bytes)
+                takeFinite(raw);
         });
-        values_.clear();
+        takeFinite(raw);
+    }
+
+    //! Moves the finite ones of some values, which are bytes of the type of the image, to the sample.
+    void takeFinite(std::vector<uchar>& raw)
+    {
         if (raw.empty())
             return;
         Mat values;
-        Mat(1, int(raw.size() / bytes), image_.depth(), raw.data()).convertTo(values, DataType<T>::depth);
+        Mat(1, int(raw.size() / image_.elemSize1()), image_.depth(), raw.data()).convertTo(values, DataType<T>::depth);
         std::copy_if(values.begin<T>(), values.end<T>(), std::back_inserter(values_), isFinite);
+        raw.clear();
     }
 
     //! Values outside of the mask and of a fourth channel do not count.

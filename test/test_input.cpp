@@ -375,6 +375,20 @@ TEST_P(ximgproc_GWatershed_input, allocates_nothing_large_for_the_second_image_o
     EXPECT_LT(news.largest(), image.total() / 2) << "bytes by new";
 }
 
+TEST_P(ximgproc_GWatershed_input, copies_no_float_image_with_few_numbers)
+{
+    ThreadsGuard one(1);
+    RNG& rng = theRNG();
+    Mat image(1000, 1000, CV_32FC3, Scalar::all(std::numeric_limits<double>::quiet_NaN()));
+    for (int i = 0; i < 20000; i++)
+        image.at<Vec3f>(rng.uniform(0, image.rows), rng.uniform(0, image.cols)) =
+                Vec3f(float(rng), float(rng), float(rng));
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1000, 1000, 3, 100, GetParam());
+    const NewRecorder news;
+    gws->iterate(image);
+    EXPECT_LT(news.largest(), image.total() * image.elemSize() / 4);
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

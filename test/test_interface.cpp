@@ -125,6 +125,9 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     gws->setDepthAdaptive(true);
     gws->setBorderThreshold(120.f);
     gws->setEffort(2);
+    gws->setLabInput(true);
+    gws->setTemporal(true);
+    gws->setValueRange(3.f, 250.f);
     EXPECT_EQ("SuperpixelGWatershed", gws->getDefaultName());
 
     FileStorage out(".yml", FileStorage::WRITE | FileStorage::MEMORY);
@@ -147,6 +150,13 @@ TEST_P(ximgproc_GWatershed_interface, writes_and_reads_its_parameters)
     EXPECT_EQ(0.5f, other->getNormalWeight());
     EXPECT_TRUE(other->getDepthAdaptive());
     EXPECT_EQ(120.f, other->getBorderThreshold());
+    EXPECT_TRUE(other->getLabInput());
+    EXPECT_TRUE(other->getTemporal());
+    EXPECT_EQ(3.f, other->getLowValue());
+    EXPECT_EQ(250.f, other->getHighValue());
+    FileStorage again(".yml", FileStorage::WRITE | FileStorage::MEMORY);
+    other->write(again);
+    EXPECT_EQ(text, again.releaseAndGetString());
     gws->iterate();
     other->iterate();
     EXPECT_TRUE(equalMats(labelsOf(gws), labelsOf(other)));

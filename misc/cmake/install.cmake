@@ -31,5 +31,7 @@ configure_file(misc/cmake/gwatershed.pc.in gwatershed.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gwatershed.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
   COMPONENT development)
 
-add_custom_target(uninstall
-  COMMAND ${CMAKE_COMMAND} "-Dbuild_dir=${PROJECT_BINARY_DIR}" -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake VERBATIM)
+if(is_top_level)
+  add_custom_target(uninstall
+    COMMAND ${CMAKE_COMMAND} "-Dbuild_dir=${PROJECT_BINARY_DIR}" -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake VERBATIM)
+endif()

@@ -1,7 +1,11 @@
 # Builds the library opencv_gwatershed, the samples, the tests and the Python package beside an installed OpenCV.
 include(GNUInstallDirs)
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+set(is_top_level OFF) # no part of another project
+if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)
+  set(is_top_level ON)
+endif()
+if(is_top_level AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Type of the build" FORCE)
 endif()
 
@@ -16,7 +20,7 @@ endif()
 
 file(GLOB_RECURSE gwatershed_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 option(BUILD_SHARED_LIBS "Build a shared library" ON)
-option(BUILD_SAMPLES "Build the samples" ON)
+option(BUILD_SAMPLES "Build the samples" ${is_top_level})
 option(BUILD_TESTS "Build the tests; they need GoogleTest" OFF)
 option(BUILD_PYTHON "Build the Python package; it needs pybind11" OFF)
 # The code is compiled once, for the library and for Python.
@@ -79,4 +83,6 @@ if(BUILD_PYTHON)
 endif()
 
 include(misc/cmake/install.cmake)
-include(misc/cmake/packages.cmake)
+if(is_top_level)
+  include(misc/cmake/packages.cmake)
+endif()

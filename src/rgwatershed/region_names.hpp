@@ -9,10 +9,10 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels for the groups of regions that were merged. parents name the region that took each one in, areas are
-//! from before, and names are the labels that they had: the first num_kept still have them, the others lie
-//! where these were. A group keeps the label of the largest of the former, or else of the latter if it is free, or
-//! else gets a free one. There are as many labels as groups.
+//! Labels for the groups of regions that were merged. parents name the region that took each one in, areas are from
+//! before. Regions below num_kept are kept, and names[i] is the label of region i. The others are new, and names[i] is
+//! the label that lay there. A group gets the name of its largest kept region; without one that of its largest new
+//! region, if that is still free; or else a free label. There are as many labels as groups.
 void nameGroups(const std::vector<int>& parents, const std::vector<int>& areas, const std::vector<int>& names,
                 int num_kept, std::vector<int>& labels);
 

@@ -255,8 +255,8 @@ enum { FREE = INT_MAX }; // in a table of edges
 
 //! Makes one edge of those between the same regions, behind `count` of them. Returns how many there are then. The
 //! table, of so many bits, has the index of each edge, in the first free slot; most slots stay free. Behind the edges
-//! one is ready that the pair of regions gets if it is new, which cannot be foreseen: so a slot that is free stands for
-//! that one, and there is no branch.
+//! one is ready that the pair of regions gets if it is new, which cannot be foreseen. FREE is above all indices, so the
+//! lower one of a free slot and `count` is the edge that is ready, and there is no branch.
 static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edges, int count)
 {
     const unsigned last_slot = (1u << bits) - 1;

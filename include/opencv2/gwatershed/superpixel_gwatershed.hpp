@@ -77,7 +77,8 @@ it, is 0 where it is farthest, so add 1 to it. Depth that is missing or the same
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
 and empty() returns true. The object can be used again in both cases. Input images are never written to. In Python None
 for depth is no depth. None for a number is its default, or 0 if it has none, which throws where 0 is not allowed:
-`iterate(None)` is `iterate()`, so check what imread() returned.
+`iterate(None)` is `iterate()`, so check what imread() returned. After None for depth a region_size of 200 or 201 is
+taken for the algorithm: leave depth out instead.
 
 **Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. An output with one row or one
 column may also be a std::vector of that type.
@@ -346,7 +347,7 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers | 0.9 | 0.068 |
+    | 0 | larger blocks, fewer markers | 0.9 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
@@ -363,7 +364,8 @@ public:
     there is depth. Default 0.5, as in the paper; take less where colour misleads. Without depth it has no effect.
     Iterations after the first never move a pixel to a region whose colour is farther, for any alpha.
     @note RGWATERSHED divides the distance by the larger of the two weights, so that distances with and without
-    depth can be compared, and takes the smaller one in steps of 1/256; so do GWATERSHED and getAdjacency() with alpha.
+    depth can be compared, and takes the smaller one in steps of 1/256. GWATERSHED and getAdjacency() do not divide; they take
+    alpha in steps of 1/256.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
