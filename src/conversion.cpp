@@ -108,7 +108,7 @@ private:
         return x % channels_ < colors_ && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
     }
 
-    static bool isFinite(T value) { return std::abs(value) <= FLT_MAX; }
+    static bool isFinite(T value) { return std::abs(value) <= std::numeric_limits<T>::max(); }
 
     //! Calls visit(values, count) for the rows; those that do not count are NaN.
     template <typename Visit> void forRows(Visit visit) const
@@ -144,7 +144,7 @@ private:
                 known += values[x] == values[x];
                 lower += values[x] < range.first;
                 higher += values[x] > range.last;
-                infinite += std::abs(values[x]) > FLT_MAX;
+                infinite += std::abs(values[x]) > std::numeric_limits<T>::max();
             }
             finite += known - infinite;
             if (lower + higher > infinite)
@@ -173,7 +173,7 @@ private:
     //! Of all finite values.
     ValueRange findExtrema() const
     {
-        const ValueRange none = { T(FLT_MAX), T(-FLT_MAX) };
+        const ValueRange none = { std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest() };
         ValueRange extrema = none;
         Mutex mutex;
         forRows([&](const T* values, int count)
@@ -198,10 +198,10 @@ private:
     std::vector<T> values_;
 };
 
-//! Values of a row, from a range to 0..255. NaN is the low end. T is the type in which it is computed.
-template <typename T> void scaleRow(const Mat& row, RangeOf<double> range, Mat& values, Mat& scaled)
+//! Gives map(value) for the values of a row, as type T, after those outside of a range became its ends, and NaN the low
+//! one.
+template <typename T, typename Map> void mapRow(const Mat& row, T low, T high, const Map& map, Mat& values)
 {
-    const T low = T(range.first), high = T(range.last);
     const bool as_it_is = row.depth() == DataType<T>::depth;
     if (as_it_is)
         values.create(row.size(), row.type());
@@ -213,13 +213,29 @@ template <typename T> void scaleRow(const Mat& row, RangeOf<double> range, Mat& 
     for (int x = 0; x < count; x++)
     {
         const T value = from[x] > low ? from[x] : low;
-        to[x] = (value < high ? value : high) - low;
+        to[x] = map(value < high ? value : high);
     }
+}
+
+//! Values of a row, from a range to 0..255.
+void scaleFloats(const Mat& row, RangeOf<double> range, Mat& values, Mat& scaled)
+{
+    const float low = float(range.first), high = float(range.last);
+    mapRow(row, low, high, [=](float value) { return value - low; }, values);
     values.convertTo(scaled, CV_8U, 255 / (double(high) - low));
 }
 
+//! The same for values, and spans, that are too large or too small for floats.
+//! @note Of halves, because the span of doubles may be too large for a double.
+void scaleDoubles(const Mat& row, RangeOf<double> range, Mat& values, Mat& scaled)
+{
+    const double low = range.first, half = range.last / 2 - low / 2;
+    mapRow(row, low, range.last, [=](double value) { return 255 * ((value / 2 - low / 2) / half); }, values);
+    values.convertTo(scaled, CV_8U);
+}
+
 //! The same for integers of up to 16 bits, which need no care.
-void scaleRow(const Mat& row, RangeOf<double> range, Mat& scaled)
+void scaleIntegers(const Mat& row, RangeOf<double> range, Mat& scaled)
 {
     const double scale = 255 / (range.last - range.first);
     row.convertTo(scaled, CV_8U, scale, -scale * range.first);
@@ -244,11 +260,11 @@ void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
         {
             Mat to = scaled.row(y);
             if (is_moderate && depth <= CV_16S)
-                scaleRow(image.row(y), range, to);
+                scaleIntegers(image.row(y), range, to);
             else if (is_moderate && (depth == CV_32F || depth == CV_16F))
-                scaleRow<float>(image.row(y), range, values, to);
+                scaleFloats(image.row(y), range, values, to);
             else
-                scaleRow<double>(image.row(y), range, values, to);
+                scaleDoubles(image.row(y), range, values, to);
         }
     });
 }

@@ -375,6 +375,43 @@ TEST_P(ximgproc_GWatershed_input, allocates_nothing_large_for_the_second_image_o
     EXPECT_LT(news.largest(), image.total() / 2) << "bytes by new";
 }
 
+//! Differences of the levels from 0 to 255 that values in a row become.
+std::vector<float> stepsOf(const Mat& values, float low, float high, int algorithm)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(values.cols, 1, 1, values.cols, algorithm);
+    gws->setValueRange(low, high);
+    gws->iterate(values);
+    std::vector<float> contrasts;
+    gws->getAdjacency(values, noArray(), noArray(), noArray(), contrasts);
+    return contrasts;
+}
+
+TEST_P(ximgproc_GWatershed_input, takes_values_of_any_magnitude)
+{
+    for (const double top : { 1e-38, 1e-30, 1e30, 2e38, 3.4e38, 1e-300, 1e-100, 1e39, 1e100, 1.7e308 })
+        for (const int low : { 0, -1 })
+            for (const bool set : { false, true })
+            {
+                const bool as_float = top > 1e-39 && top < 1e39;
+                if (set && !as_float)
+                    continue;
+                Mat values(1, 20, as_float ? CV_32FC1 : CV_64FC1);
+                for (int i = 0; i < 20; i++)
+                {
+                    const double value = top * (low + (1 - low) * i / 19.);
+                    if (as_float)
+                        values.at<float>(i) = float(value);
+                    else
+                        values.at<double>(i) = value;
+                }
+                const float end = set ? float(top) : 0.f;
+                const std::vector<float> steps = stepsOf(values, float(low) * end, end, GetParam());
+                ASSERT_EQ(19u, steps.size());
+                for (const float step : steps)
+                    EXPECT_NEAR(255 / 19., step, 1) << top << ", from " << low << ", " << set;
+            }
+}
+
 TEST_P(ximgproc_GWatershed_input, copies_no_float_image_with_few_numbers)
 {
     ThreadsGuard one(1);
