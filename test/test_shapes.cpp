@@ -194,13 +194,21 @@ TEST(ximgproc_SuperpixelGWatershed, no_part_of_a_cell_is_left_on_an_even_image)
         }
 }
 
-Mat makeRamp(Size size, Point direction)
+//! From 0 to 255, rounded or cut off to whole levels, or 256 steps of equal length.
+enum Levels { ROUNDED, CUT, EQUAL };
+
+Mat makeRamp(Size size, Point direction, Levels levels = ROUNDED)
 {
     Mat image(size, CV_8UC3);
     const double length = direction.x * (size.width - 1) + direction.y * (size.height - 1);
     for (int y = 0; y < size.height; y++)
         for (int x = 0; x < size.width; x++)
-            image.at<Vec3b>(y, x) = Vec3b::all(uchar(cvRound(255 * (direction.x * x + direction.y * y) / length)));
+        {
+            const double part = (direction.x * x + direction.y * y) / length;
+            const double level = levels == ROUNDED ? std::floor(255 * part + 0.5)
+                               : levels == CUT ? std::floor(255 * part) : std::min(std::floor(256 * part), 255.);
+            image.at<Vec3b>(y, x) = Vec3b::all(uchar(level));
+        }
     return image;
 }
 
@@ -232,6 +240,19 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp)
     }
     EXPECT_LE(means[0] / 36, 1.2);
     EXPECT_LT(means[1], means[0]);
+}
+
+// Without noise, the rows of a ramp are all the same, and so are their superpixels: one that is a strip is in each row.
+TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_clean_ramp)
+{
+    for (const Levels levels : { ROUNDED, CUT, EQUAL })
+        for (const Point& direction : { Point(1, 0), Point(0, 1), Point(1, 1) })
+        {
+            const Mat image = makeRamp(Size(640, 480), direction, levels);
+            for (int region_size : { 13, 14, 15, 16, 17, 18, 20, 21, 24, 30 })
+                EXPECT_LE(medianAspect(superpixels(image, region_size)), 1.6)
+                    << levels << direction << ", " << region_size;
+        }
 }
 
 // As many levels in fewer pixels.
@@ -287,6 +308,25 @@ TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_after_merging)
             const double aspect = medianAspect(superpixels(makeRamp(i), region_size, 10, MERGED));
             mean += aspect / 36;
             EXPECT_LE(aspect, 2.3) << i << ", " << region_size;
+        }
+    EXPECT_LE(mean, 1.5);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_noisy_ramp_after_merging)
+{
+    double mean = 0;
+    for (const Size& size : { Size(320, 240), Size(640, 480) })
+        for (const Point& direction : { Point(1, 0), Point(0, 1), Point(1, 1) })
+        {
+            Mat image = makeRamp(size, direction), noise(size, CV_8SC3);
+            theRNG().fill(noise, RNG::UNIFORM, -2, 3);
+            cv::add(image, noise, image, noArray(), CV_8U);
+            for (int region_size : REGION_SIZES)
+            {
+                const double aspect = medianAspect(superpixels(image, region_size, 10, MERGED));
+                mean += aspect / 36;
+                EXPECT_LE(aspect, 2.3) << size << direction << ", " << region_size;
+            }
         }
     EXPECT_LE(mean, 1.5);
 }

@@ -110,7 +110,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
     // Larger ones make superpixels of even areas squares.
-    rules.noise = cvRound(80 + 6 * std::min(std::max(ruler, 10.f), 40.f));
+    rules.noise = cvRound(100 + 6 * std::min(std::max(ruler, 10.f), 40.f));
     return rules;
 }
 

@@ -23,6 +23,7 @@ struct MergeRules
     int texture = 0;       //!< of the smoother region makes it cheap: differences mean less there
     int direction = 0;     //!< of textures that run in different ones
     int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
+    float grain = 1.5f;    //!< steps for each pixel, in levels, that are noise, and neither slope nor roughness
     int roughness = 0;     //!< so much of it, in 1/64, is no slope
     float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
@@ -48,6 +49,7 @@ inline MergeRules mergeByTextures()
     rules.texture = 75;
     rules.direction = 32;
     rules.slope = 4;
+    rules.grain = 2.5f; // with less, two levels of noise make strips of a ramp
     rules.roughness = 21;
     rules.usual = 2.9f;
     rules.noise = 96;
@@ -88,7 +90,7 @@ struct FourRegions;
 //!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
 //!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
 //! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
-//! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - 1.5), the steps
+//! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
 //! that are no slope, it is
 //!     e = (smaller g^2 - (g1 - g2)^2 - (larger q)^2) * smaller n,   not below 0
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so

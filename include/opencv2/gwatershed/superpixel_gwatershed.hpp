@@ -43,7 +43,8 @@ enum GWatershedType
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
    enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
-2. Markers: up to four for each superpixel, one below 6x6 pixels, each in a cell of a grid, away from high gradients.
+2. Markers: four for each superpixel, fewer for small ones, one if it has less than 6x6 pixels, each in a cell of a
+   grid, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
    priority. The priority of a block is its distance to the mean of the region that reaches it, plus a part
    that grows with its distance to the marker.
@@ -56,7 +57,8 @@ low gradient for each superpixel, and a flood with the distances of equations (1
 lines where two floods meet; at the end each pixel of a line joins the most similar neighbour.
 
 **Result.** Every pixel has a label, the labels are 0 to N - 1 without gaps, and the pixels of one label are
-one 4-connected component. Labels follow the order of the cells of the grid of markers. The result depends on the
+one 4-connected component. Labels run from top to bottom, roughly: by the first cell of the grid of markers that is in
+a superpixel. The result depends on the
 image, the depth and the parameters only: it is the same for any number of threads, in every run, and for a
 submatrix and its clone. Exceptions, each described with its method: pixels without a label, which are -1
 (setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
@@ -80,8 +82,8 @@ for depth is no depth. None for a number is its default, or 0 if it has none, wh
 `iterate(None)` is `iterate()`, so check what imread() returned. After None for depth a region_size of 200 or 201 is
 taken for the algorithm: leave depth out instead.
 
-**Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. An output with one row or one
-column may also be a std::vector of that type.
+**Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. A line of pixels, or a
+table of one column, may also be a std::vector of that type.
 
 **Threads.** Most steps run under cv::parallel_for_. The flood of GWATERSHED runs on the calling thread, and so
 does that of RGWATERSHED with a mask, with user markers or with setDepthAdaptive(true). Different objects can be used in
@@ -208,7 +210,7 @@ public:
     the mean distance (as for c) across it. L are the mean lightnesses, also of both, 0 to 255. Texture is t = x + y, r
     = (x + 0.5) / (y + 0.5): x and y are the distances of pixels to those right of and below them in a superpixel of
     iterate(), summed over every second row, divided by n. g is the slope, the same of lightness, with signs; q =
-    max(0, t - |g|_1 - 1.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
+    max(0, t - |g|_1 - 2.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
     alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
@@ -264,7 +266,8 @@ public:
     sorted by a, then b.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
     @param contrasts M x 1 CV_32FC1, contrast of the boundary, 0 to 255: the mean over its pixel edges of the
-    distance of the two pixels, equations (1) to (3) of the paper.
+    distance of the two pixels, equations (1) to (3) of the paper: alpha times the largest difference of a channel plus
+    1 - alpha times that of scaled depth. With depth, distances are rounded to whole levels.
 
     Without a mask or user markers the graph is connected. A table without rows is None in Python. Throws
     cv::Exception before the first iterate().
@@ -364,8 +367,8 @@ public:
     there is depth. Default 0.5, as in the paper; take less where colour misleads. Without depth it has no effect.
     Iterations after the first never move a pixel to a region whose colour is farther, for any alpha.
     @note RGWATERSHED divides the distance by the larger of the two weights, so that distances with and without
-    depth can be compared, and takes the smaller one in steps of 1/256. GWATERSHED and getAdjacency() do not divide; they take
-    alpha in steps of 1/256.
+    depth can be compared, and takes the smaller one in steps of 1/256. GWATERSHED and getAdjacency() do not divide;
+    they take alpha in steps of 1/256.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
@@ -388,13 +391,13 @@ public:
 
     RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
     when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
-    the same. If half of the image has changed, all start again. GWATERSHED moves each marker to the middle of
-    its last region; the markers of regions that have nearly vanished move into the largest ones. Boundaries also
-    move a little on a still image.
+    the same. If superpixels that explain it much worse cover more than half of the image, all start again. GWATERSHED
+    moves each marker to the middle of its last region; the markers of regions that have nearly vanished move into the
+    largest ones. Boundaries also move a little on a still image.
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
-    of both has user markers; and, for RGWATERSHED, if a change of the ruler changes the size of the blocks.
+    of these frames has user markers; and, for RGWATERSHED, if a change of the ruler changes the size of the blocks.
     @note mergeSimilar() and enforceLabelConnectivity() renumber the labels of one frame only. The next frame
     continues from the result of iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
@@ -411,7 +414,8 @@ public:
     frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all span
     less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the
     highest finite value but one in 1000 at each end, of a sample if the image is large.
-    @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits.
+    @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
+    also for a sensor with more than one saturated pixel in 1000, and for floats that use a small part of 0 to 1.
     */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
     /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
@@ -431,9 +435,9 @@ public:
     frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
     both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0.
 
-    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, its near end is the nearest
-    thousandth instead of the hundredth, but at most a quarter of the range nearer, and finer differences than 1/2500 of
-    the inverse depth of the near end are none. */
+    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is then the
+    nearest thousandth instead of the nearest hundredth, but at most a quarter of the range nearer than that.
+    Differences below 1/2500 of the inverse depth of the near end do not count. CV_64FC1 is read as CV_32FC1. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
@@ -449,9 +453,10 @@ public:
 
     @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side of
     the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
-    for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then, nor
-    has what is less than 16 or more than 32767 pixels wide or high. The optical axis meets the middle of the image, or
-    of the bounds of a mask. Set it for parts of an image, and for other lenses.
+    for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then: leave
+    0 for it. Images narrower or lower than 16 pixels, or wider or higher than 32767, have no normals either. The
+    optical axis meets the middle of the image, at ((width - 1) / 2, (height - 1) / 2), or that of the bounds of a mask.
+    Set the focal length for parts of an image, and for other lenses.
     @param fy The same along y, 0 or more, finite. If 0, the default, it is fx. It must be 0 if fx is.
     @see setNormalWeight */
     CV_WRAP virtual void setFocalLength(float fx, float fy = 0.0f) = 0;
@@ -483,7 +488,7 @@ public:
 
     RGWATERSHED ignores it.
     @param border_threshold A pixel with this gradient or a larger one takes no part in the flood and joins a neighbour
-    after it. The gradient is the magnitude of the 3x3 Sobel derivatives, 0 to 1443, as for cv::Canny with L2gradient,
+    after it. The gradient is the magnitude of the 3x3 Sobel derivatives, 0 to 1141, as for cv::Canny with L2gradient,
     of the grey value 0.114 B + 0.587 G + 0.299 R of the channels in this order, whatever they are: at 150, an edge of
     blue alone is none. With depth it is weighted by alpha. 0 or more, finite; 0 means no borders. Default 150: without
     them the flood crosses strong edges early, while pixels of lower priority wait, and misses half of them. */
