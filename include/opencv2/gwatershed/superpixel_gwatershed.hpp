@@ -58,10 +58,9 @@ lines where two floods meet; at the end each pixel of a line joins the most simi
 
 **Result.** Every pixel has a label, the labels are 0 to N - 1 without gaps, and the pixels of one label are
 one 4-connected component. Labels run from top to bottom, roughly: by the first cell of the grid of markers that is in
-a superpixel. The result depends on the
-image, the depth and the parameters only: it is the same for any number of threads, in every run, and for a
-submatrix and its clone. Exceptions, each described with its method: pixels without a label, which are -1
-(setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
+a superpixel. The result depends on the image, the depth and the parameters only: it is the same for any number of
+threads, in every run, and for a submatrix and its clone. Exceptions, each described with its method: pixels without a
+label, which are -1 (setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
 
 **Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
 The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so
@@ -82,8 +81,8 @@ for depth is no depth. None for a number is its default, or 0 if it has none, wh
 `iterate(None)` is `iterate()`, so check what imread() returned. After None for depth a region_size of 200 or 201 is
 taken for the algorithm: leave depth out instead.
 
-**Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. A line of pixels, or a
-table of one column, may also be a std::vector of that type.
+**Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. What has one column, and the labels
+and masks of an image of one row, may also be a std::vector of that type.
 
 **Threads.** Most steps run under cv::parallel_for_. The flood of GWATERSHED runs on the calling thread, and so
 does that of RGWATERSHED with a mask, with user markers or with setDepthAdaptive(true). Different objects can be used in
@@ -366,9 +365,8 @@ public:
     @param alpha In [0, 1]: Dist = alpha * Dist_RGB + (1 - alpha) * Dist_D. 1 is colour alone, 0 is depth alone where
     there is depth. Default 0.5, as in the paper; take less where colour misleads. Without depth it has no effect.
     Iterations after the first never move a pixel to a region whose colour is farther, for any alpha.
-    @note RGWATERSHED divides the distance by the larger of the two weights, so that distances with and without
-    depth can be compared, and takes the smaller one in steps of 1/256. GWATERSHED and getAdjacency() do not divide;
-    they take alpha in steps of 1/256.
+    @note RGWATERSHED divides by the larger of the two weights, so that distances with and without depth compare, and
+    takes the smaller one in steps of 1/256. GWATERSHED and getAdjacency() take alpha in such steps.
 
     ![alpha from 1, colour alone, to 0, depth alone](pics/gwatershed_alpha.jpg) */
     CV_WRAP virtual void setAlpha(float alpha = 0.5f) = 0;
@@ -376,10 +374,10 @@ public:
     CV_WRAP virtual float getAlpha() const = 0;
 
     /** @brief Tells that images are in CIELAB or a similar space instead of BGR.
-    @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to
-    its opponent space. If true, RGWATERSHED takes the channels as they are: lightness and two colour
-    differences, such as CIELAB from cv::cvtColor. That of floats follows colour more than that of 8 bits, where
-    cvtColor() stretches lightness. GWATERSHED never converts. */
+    @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to its
+    opponent space. If true, it takes the channels as they are: lightness and two colour differences, as CIELAB from
+    cv::cvtColor. That of floats follows colour more than that of 8 bits, where cvtColor() stretches lightness.
+    GWATERSHED never converts. */
     CV_WRAP virtual void setLabInput(bool lab_input) = 0;
     /** @brief Whether images are in CIELAB or a similar space. @see setLabInput */
     CV_WRAP virtual bool getLabInput() const = 0;
@@ -415,8 +413,7 @@ public:
     less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the
     highest finite value but one in 1000 at each end, of a sample if the image is large.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
-    also for a sensor with more than one saturated pixel in 1000, and for floats that use a small part of 0 to 1.
-    */
+    also for a sensor with more than one saturated pixel in 1000, and for floats that use a small part of 0 to 1. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
     /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
     CV_WRAP virtual float getLowValue() const = 0;
@@ -425,16 +422,13 @@ public:
 
     /** @brief Sets the range of depth that is scaled to the 1..255 of equation (2).
 
-    With a fixed range the scale is the same for all frames, so set it for a video.
-
     @param near_depth Depth that becomes 1, in the unit of the depth map. Nearer depth becomes 1, too.
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth,
     finite; or both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its
     valid depths, or from their minimum to their maximum if these percentiles are equal. Percentiles are those of a
     sample if the frame is large. If a gap without depths takes seven eighths of that range, because a part of the
     frame is far behind all else, or holds a value that means "no depth", the gap gets fewer levels, so that depths on
-    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0.
-
+    both sides of it are still told apart. CV_8UC1 depth is taken as it is if both are 0. For a video set a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is then the
     nearest thousandth instead of the nearest hundredth, but at most a quarter of the range nearer than that.
     Differences below 1/2500 of the inverse depth of the near end do not count. CV_64FC1 is read as CV_32FC1. */
@@ -450,7 +444,6 @@ public:
     pixel is measured against the plane of a superpixel. So a table seen at an angle is not cut into stripes of equal
     depth, and two walls of one colour are cut where they meet. Depth counts by its inverse, whose noise is the same
     near and far. The unit of depth does not matter. Where no normal can be had, beside holes, depth and colour count.
-
     @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side of
     the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
     for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then: leave
