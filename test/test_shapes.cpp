@@ -171,16 +171,39 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
             EXPECT_GE(compactness(labels), 0.75) << size << ", " << region_size;
             EXPECT_GE(areas[0], 0.7) << size << ", " << region_size; // cells of 3x3 and of 4x4 blocks at 14
             EXPECT_LE(areas[1], 1.45) << size << ", " << region_size;
+        }
+}
 
+// A tenth of the superpixels are tiles of whole cells. Where rows of cells are of different numbers, their edges are
+// not straight.
+TEST(ximgproc_SuperpixelGWatershed, tiles_of_cells_on_an_even_image_after_merging)
+{
+    const Size sizes[] = { Size(320, 240), Size(640, 480), Size(481, 321), Size(240, 320) };
+    double means[2] = { 0, 0 };
+    int cases = 0;
+    for (const Size& size : sizes)
+        for (int region_size : REGION_SIZES)
             for (int gray : { 3, 128, 203 })
             {
-                // Halves of parts are united in the opposite order, so areas are doubled, but shapes stay.
-                const Mat merged = superpixels(Mat(size, CV_8UC1, Scalar(gray)), region_size, 10, MERGED);
-                EXPECT_GE(compactness(merged), 0.63) << size << ", " << region_size << ", " << gray;
+                const Mat image(size, CV_8UC1, Scalar(gray));
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
+                gws->iterate(image);
+                gws->mergeSimilar(gws->getNumberOfSuperpixels() / MERGED);
+                const Mat tenth = labelsOf(gws);
+                EXPECT_GE(extremeAreas(tenth)[0], 0.6) << size << ", " << region_size << ", " << gray;
+                EXPECT_LE(extremeAreas(tenth)[1], 1.5) << size << ", " << region_size << ", " << gray;
+                EXPECT_GE(compactness(tenth), 0.63) << size << ", " << region_size << ", " << gray;
+
+                const Mat merged = superpixels(image, region_size, 10, MERGED); // cells of 4 to 10 pixels
                 EXPECT_GE(extremeAreas(merged)[0], 0.48) << size << ", " << region_size << ", " << gray;
-                EXPECT_LE(extremeAreas(merged)[1], 2) << size << ", " << region_size << ", " << gray;
+                EXPECT_LE(extremeAreas(merged)[1], 1.6) << size << ", " << region_size << ", " << gray;
+                EXPECT_GE(compactness(merged), 0.66) << size << ", " << region_size << ", " << gray;
+                means[0] += compactness(tenth);
+                means[1] += compactness(merged);
+                cases++;
             }
-        }
+    EXPECT_GE(means[0] / cases, 0.72);
+    EXPECT_GE(means[1] / cases, 0.73);
 }
 
 TEST(ximgproc_SuperpixelGWatershed, no_part_of_a_cell_is_left_on_an_even_image)

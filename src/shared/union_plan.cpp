@@ -8,20 +8,60 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A region and the cell of a grid in which its centre lies.
-struct RegionPlace
+//! Divides the cells of a grid into tiles of nearly equal numbers of cells: bands of three rows (of four where three do
+//! not fit) are divided into pieces.
+class Tiling
 {
-    Point cell;
-    int region;
+public:
+    Tiling(Size grid, int num_tiles) : width_(grid.width), bands_of_rows_(grid.height)
+    {
+        const int ROWS = 3, num_bands = std::max(1, grid.height / ROWS);
+        for (int i = 0, top = 0, first = 0; i < num_bands; i++)
+        {
+            const int bottom = int(int64(i + 1) * grid.height / num_bands);
+            const double share = double(bottom - top) / (grid.height - top);
+            const Band band = { first, std::max(1, cvRound((num_tiles - first) * share)) };
+            std::fill(bands_of_rows_.begin() + top, bands_of_rows_.begin() + bottom, band);
+            first += band.count;
+            top = bottom;
+        }
+    }
+
+    int tileOf(const Point& cell) const
+    {
+        const Band& band = bands_of_rows_[cell.y];
+        return band.first + int(int64(cell.x) * band.count / width_);
+    }
+
+private:
+    struct Band
+    {
+        int first, count; // of its tiles
+    };
+
+    const int width_;
+    std::vector<Band> bands_of_rows_;
 };
 
-//! The places of regions in a grid with one cell for each. Centres are those of a sample of 16 pixels in a cell, so
-//! very small regions may have none.
+//! A region, the cell of a grid in which its centre lies, and its tile.
+struct RegionPlace
+{
+    int tile, region;
+    Point cell;
+
+    bool operator<(const RegionPlace& other) const
+    {
+        return tile != other.tile ? tile < other.tile : region < other.region;
+    }
+};
+
+//! The places of regions in a grid with one cell for each, in the order of their tiles. Centres are those of a sample
+//! of 16 pixels in a cell, so very small regions may have none.
 static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
 {
-    const int FINE = 4;
+    const int FINE = 4, IN_TILE = 10;
     const int rows = MarkerGrid(labels.size(), labels.size(), 1, num_labels, 1).rows;
-    const Size samples(FINE * std::max(1, cvRound(double(num_labels) / rows)), FINE * rows);
+    const Size grid(std::max(1, cvRound(double(num_labels) / rows)), rows), samples = grid * FINE;
     std::vector<int> columns(samples.width);
     for (int x = 0; x < samples.width; x++)
         columns[x] = int(int64(labels.cols) * (2 * x + 1) / (2 * samples.width));
@@ -36,14 +76,17 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
                 sums[label] += Vec3d(x + 0.5, y + 0.5, FINE);
         }
     }
+    const Tiling tiling(grid, num_labels / IN_TILE);
     std::vector<RegionPlace> places;
     for (int i = 0; i < num_labels; i++)
         if (sums[i][2] > 0)
         {
             const double scale = 1 / sums[i][2];
-            const RegionPlace place = { Point(cvFloor(sums[i][0] * scale), cvFloor(sums[i][1] * scale)), i };
+            const Point cell(int(sums[i][0] * scale), int(sums[i][1] * scale));
+            const RegionPlace place = { tiling.tileOf(cell), i, cell };
             places.push_back(place);
         }
+    std::sort(places.begin(), places.end());
     return places;
 }
 
@@ -97,8 +140,14 @@ UnionPlan planUnions(const Mat& labels, int num_labels)
         plan.parts[i] = -2 - i; // differs from all others
     std::vector<RegionPlace> places = findPlaces(labels, num_labels);
     std::vector<Group> groups;
-    if (!places.empty())
-        groups.push_back({ Range(0, int(places.size())), -1 });
+    const int count = int(places.size());
+    for (int first = 0, last; first < count; first = last)
+    {
+        for (last = first + 1; last < count && places[last].tile == places[first].tile;)
+            last++;
+        const Group tile = { Range(first, last), -2 - places[first].region };
+        groups.push_back(tile);
+    }
     for (size_t i = 0; i < groups.size(); i++)
     {
         const Group group = groups[i]; // the list grows

@@ -9,12 +9,13 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Which unions of regions are wanted where nothing else tells one from another: an image is divided into halves, and
-//! these again, down to single regions. Parts are united in the opposite order.
+//! Which unions of regions are wanted where nothing else tells one from another: an image is divided into tiles of
+//! about ten regions, these into halves, and these again, down to single regions. Parts are united in the opposite
+//! order, so that a tenth of the superpixels of an even image are tiles. Beyond that there is no plan.
 struct UnionPlan
 {
     std::vector<int> parts; //!< of each region: the smallest part in which it is not alone; below 0: none
-    std::vector<int> above; //!< of each part: the part that it is a half of; below 0: none
+    std::vector<int> above; //!< of each part: the part that it is a half of; below 0: it is a tile
 
     //! Once a region has taken in another one: it is the whole part if both were its halves, else still the larger one.
     void unite(int from, int to, bool from_is_larger)

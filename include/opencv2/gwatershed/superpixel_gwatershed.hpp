@@ -213,8 +213,8 @@ public:
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
     alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
-    e is 1.5, but 3/16 between two halves of a plan, which divides the image in two, and each part again, down to single
-    superpixels. So even areas become a grid.
+    e is 1.5, but 3/16 between two halves of a plan, which divides the image into tiles of about ten superpixels, and
+    these into halves, down to single ones. So a tenth of the superpixels of an even image are a grid.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
