@@ -370,26 +370,38 @@ void SimilarMerger::unite(bool one_sided)
     num_left_ -= count;
 }
 
-//! Some of the chosen pairs. Means are taken anew together, because that is done for four regions at once.
+//! Some of the chosen pairs, few at a time, so that what the first loop waits for is still near in the last one.
 void SimilarMerger::unite(const Range& pairs)
 {
-    std::vector<int> numbers;
-    numbers.reserve(pairs.size());
-    for (int i = pairs.start; i < pairs.end; i++)
+    const int FEW = 16;
+    std::vector<int> grown;
+    for (int i = pairs.start; i < pairs.end; i += FEW)
     {
-        const int from = b_.chosen[i].from, to = b_.chosen[i].to;
-        if (!plan_.parts.empty())
-            plan_.unite(from, to, b_.records[from].area > b_.records[to].area);
-        regions_.unite(from, to);
-        if (!b_.textures.empty())
-            b_.textures[to].add(b_.textures[from]);
-        b_.parents[from] = to;
-        b_.changed[to] = 1;
-        numbers.push_back(to);
+        const MergePair* const first = b_.chosen.data() + i;
+        unite(first, first + std::min(FEW, pairs.end - i), grown);
     }
-    regions_.update(numbers);
-    for (size_t i = 0; i < numbers.size(); i++)
-        b_.records[numbers[i]] = describe(numbers[i]);
+}
+
+//! Short loops over one table each wait for many lines of memory at a time. Means are taken anew together, because that
+//! is done for four regions at once.
+void SimilarMerger::unite(const MergePair* first, const MergePair* end, std::vector<int>& grown)
+{
+    grown.clear();
+    for (const MergePair* pair = first; pair != end; pair++)
+    {
+        b_.parents[pair->from] = pair->to;
+        b_.changed[pair->to] = 1;
+        grown.push_back(pair->to);
+    }
+    for (const MergePair* pair = first; pair != end && !plan_.parts.empty(); pair++)
+        plan_.unite(pair->from, pair->to, b_.records[pair->from].area > b_.records[pair->to].area);
+    for (const MergePair* pair = first; pair != end && !b_.textures.empty(); pair++)
+        b_.textures[pair->to].add(b_.textures[pair->from]);
+    for (const MergePair* pair = first; pair != end; pair++)
+        regions_.unite(pair->from, pair->to);
+    regions_.update(grown);
+    for (size_t i = 0; i < grown.size(); i++)
+        b_.records[grown[i]] = describe(grown[i]);
 }
 
 }}} // namespace

@@ -82,6 +82,7 @@ private:
     void chooseOneSided(double share, size_t most);
     void unite(bool one_sided);
     void unite(const Range& pairs);
+    void unite(const MergePair* first, const MergePair* end, std::vector<int>& grown);
 
     const RegionDistance distance_;
     const MergeRules rules_;
