@@ -69,7 +69,8 @@ int gridRows(Size size, int n)
 
 typedef std::pair<Point, int> PlacedRegion; // the cell in which its centre lies, its label
 
-//! The plan of mergeSimilar(): regions are divided into halves, and these again, by a grid of a cell for each of them.
+//! The plan of mergeSimilar(): tiles of about ten cells of a grid with a cell for each region are divided into halves,
+//! and these again.
 struct Plan
 {
     std::vector<int> parts; // of each label: the smallest part with others; negative and different if there is none
@@ -85,14 +86,36 @@ struct Plan
                 const Point p(labels.cols * (2 * j + 1) / (8 * columns), labels.rows * (2 * i + 1) / (8 * rows));
                 sums[labels.at<int>(p)] += Vec3i(2 * j + 1, 2 * i + 1, 8);
             }
-        std::vector<PlacedRegion> regions;
+        const std::vector<int> tiles = makeTiles(Size(columns, rows), n / 10);
+        std::map<int, std::vector<PlacedRegion> > regions; // of a tile
         for (int i = 0; i < n; i++)
         {
             parts.push_back(-2 - i);
-            if (sums[i][2] > 0)
-                regions.push_back(PlacedRegion(Point(sums[i][0] / sums[i][2], sums[i][1] / sums[i][2]), i));
+            const Vec3i& sum = sums[i];
+            if (sum[2] > 0)
+                regions[tiles[sum[1] / sum[2] * columns + sum[0] / sum[2]]].push_back(
+                        PlacedRegion(Point(sum[0] / sum[2], sum[1] / sum[2]), i));
         }
-        divide(regions, -1);
+        for (const auto& tile : regions)
+            divide(tile.second, -2 - tile.second[0].second);
+    }
+
+    //! The tile of each cell. Bands have three rows, or four, and as many of the tiles that are left as of the rows.
+    static std::vector<int> makeTiles(const Size& grid, int num_tiles)
+    {
+        std::vector<int> tiles;
+        const int bands = std::max(1, grid.height / 3);
+        int used = 0;
+        for (int band = 0; band < bands; band++)
+        {
+            const int top = band * grid.height / bands, bottom = (band + 1) * grid.height / bands;
+            const int pieces = std::max(1, cvRound(double(num_tiles - used) * (bottom - top) / (grid.height - top)));
+            for (int y = top; y < bottom; y++)
+                for (int x = 0; x < grid.width; x++)
+                    tiles.push_back(used + x * pieces / grid.width);
+            used += pieces;
+        }
+        return tiles;
     }
 
     void divide(const std::vector<PlacedRegion>& regions, int whole)
