@@ -81,8 +81,7 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     for (int i = 0; i < num_labels; i++)
         if (sums[i][2] > 0)
         {
-            const double scale = 1 / sums[i][2];
-            const Point cell(int(sums[i][0] * scale), int(sums[i][1] * scale));
+            const Point cell(int(sums[i][0] / sums[i][2]), int(sums[i][1] / sums[i][2]));
             const RegionPlace place = { tiling.tileOf(cell), i, cell };
             places.push_back(place);
         }
