@@ -46,7 +46,7 @@ double commonSlope(const Vec2d& rise_a, const Vec2d& steps_a, double na, const V
     const double rough = std::max((steps_a[0] + steps_a[1]) / na - std::abs(a[0]) - std::abs(a[1]),
                                   (steps_b[0] + steps_b[1]) / nb - std::abs(b[0]) - std::abs(b[1]));
     return std::max(0., std::min(a.dot(a), b.dot(b)) - (a - b).dot(a - b) -
-                            std::pow(0.33 * std::max(0., rough - 1.5), 2));
+                            std::pow(0.33 * std::max(0., rough - 2.5), 2));
 }
 
 //! The rows of a grid of n cells: a number near to that of square cells, if it divides n.
