@@ -80,7 +80,7 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
         addSurface(depth, result, frame);
     else
         frame.depth = scaleInside(depth, frame.mask, result.parameters, scaled_);
-    frame.num_superpixels = result.parameters.countSuperpixels(frame.num_pixels);
+    frame.num_superpixels = result.parameters.countSuperpixels(bounds.size(), frame.num_pixels);
     if (!markers.empty())
     {
         frame.num_superpixels = numberMarkers(markers, frame.mask, numbered_);

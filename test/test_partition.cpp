@@ -82,11 +82,41 @@ TEST_P(ximgproc_GWatershed_partition, gives_the_number_asked_for)
         EXPECT_EQ(k, gws->getNumberOfSuperpixels());
         expectPartition(labelsOf(gws), image.size(), k);
     }
-    for (int region_size = 1; region_size < 200; region_size = region_size * 3 / 2 + 1)
+}
+
+//! Whether n nearly square cells can be as many in each row.
+bool fillsRows(Size size, int n)
+{
+    for (int rows = 1; rows <= std::min(n, size.height); rows++)
     {
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
-        gws->iterate();
-        EXPECT_EQ(std::max(1, cvRound(160. * 120. / region_size / region_size)), gws->getNumberOfSuperpixels());
+        const double aspect = double(size.width) / (n / rows) * rows / size.height;
+        if (n % rows == 0 && std::max(aspect, 1 / aspect) < 1.08 * 1.08)
+            return true;
+    }
+    return false;
+}
+
+// Asked for by their size, they are as many as fill a grid, as those of SuperpixelSLIC are, if that is near.
+TEST_P(ximgproc_GWatershed_partition, gives_full_rows_for_a_region_size)
+{
+    for (const Size& size : { Size(160, 120), Size(201, 97), Size(97, 201), Size(40, 3) })
+    {
+        const Mat image = makeScene(size, theRNG());
+        for (int region_size = 1; region_size < 200; region_size = region_size * 5 / 4 + 1)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), region_size);
+            gws->iterate();
+            const int n = gws->getNumberOfSuperpixels();
+            const double wanted = size.area() / double(region_size * region_size);
+            const int nearest = std::max(1, cvRound(wanted));
+            EXPECT_LE(std::abs(n - wanted), std::max(1., 0.05 * wanted)) << size << ", " << region_size;
+            if (n != nearest)
+                EXPECT_TRUE(fillsRows(size, n)) << size << ", " << region_size;
+            const double away = fillsRows(size, n) ? std::abs(n - wanted) : 0.05 * wanted;
+            for (int other = cvFloor(wanted - away) + 1; other < wanted + away; other++)
+                EXPECT_FALSE(fillsRows(size, other)) << size << ", " << region_size << ", " << other;
+            expectPartition(labelsOf(gws), size, n);
+        }
     }
 }
 
@@ -120,9 +150,11 @@ TEST_P(ximgproc_GWatershed_partition, gives_each_pixel_its_own_label_if_more_are
     }
 }
 
-static std::vector<int> areasOf(const Mat& labels, int n)
+static std::vector<int> areasOf(const Mat& labels)
 {
-    std::vector<int> areas(n, 0);
+    double last = 0;
+    minMaxLoc(labels, 0, &last);
+    std::vector<int> areas(int(last) + 1, 0);
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
             areas[labels.at<int>(y, x)]++;
@@ -136,8 +168,8 @@ TEST(ximgproc_SuperpixelGWatershed, gives_the_grid_on_a_flat_image)
     {
         const Mat image(sizes[i], CV_8UC3, Scalar(80, 90, 100));
         const Mat labels = segment(image, GWATERSHED, 12);
-        const int n = cvRound(sizes[i].area() / 144.);
-        const std::vector<int> areas = areasOf(labels, n);
+        const std::vector<int> areas = areasOf(labels);
+        const int n = int(areas.size());
         // Within one row and one column, and what rows of unequal numbers of markers differ by.
         const double cell = double(image.total()) / n, side = std::sqrt(cell);
         const double slack = 2 * side + cell * cvRound(sizes[i].height / side) / n;
@@ -153,9 +185,8 @@ TEST(ximgproc_SuperpixelGWatershed, region_guided_superpixels_of_a_flat_image_ar
     for (int i = 0; i < 4; i++)
     {
         const Mat image(sizes[i], CV_8UC3, Scalar(80, 90, 100));
-        const int n = cvRound(sizes[i].area() / 144.);
-        const std::vector<int> areas = areasOf(segment(image, RGWATERSHED, 12), n);
-        const double cell = double(image.total()) / n;
+        const std::vector<int> areas = areasOf(segment(image, RGWATERSHED, 12));
+        const double cell = double(image.total()) / double(areas.size());
         EXPECT_GE(*std::min_element(areas.begin(), areas.end()), 0.4 * cell);
         EXPECT_LE(*std::max_element(areas.begin(), areas.end()), 2.0 * cell);
     }

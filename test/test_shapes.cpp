@@ -174,8 +174,8 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
         }
 }
 
-// A tenth of the superpixels are tiles of whole cells. Where rows of cells are of different numbers, their edges are
-// not straight.
+// A tenth of the superpixels are tiles of whole cells. Where a number asks for rows of cells of different numbers, their
+// edges are not straight.
 TEST(ximgproc_SuperpixelGWatershed, tiles_of_cells_on_an_even_image_after_merging)
 {
     const Size sizes[] = { Size(320, 240), Size(640, 480), Size(481, 321), Size(240, 320) };
@@ -192,7 +192,7 @@ TEST(ximgproc_SuperpixelGWatershed, tiles_of_cells_on_an_even_image_after_mergin
                 const Mat tenth = labelsOf(gws);
                 EXPECT_GE(extremeAreas(tenth)[0], 0.6) << size << ", " << region_size << ", " << gray;
                 EXPECT_LE(extremeAreas(tenth)[1], 1.5) << size << ", " << region_size << ", " << gray;
-                EXPECT_GE(compactness(tenth), 0.63) << size << ", " << region_size << ", " << gray;
+                EXPECT_GE(compactness(tenth), 0.7) << size << ", " << region_size << ", " << gray;
 
                 const Mat merged = superpixels(image, region_size, 10, MERGED); // cells of 4 to 10 pixels
                 EXPECT_GE(extremeAreas(merged)[0], 0.48) << size << ", " << region_size << ", " << gray;
@@ -202,7 +202,7 @@ TEST(ximgproc_SuperpixelGWatershed, tiles_of_cells_on_an_even_image_after_mergin
                 means[1] += compactness(merged);
                 cases++;
             }
-    EXPECT_GE(means[0] / cases, 0.72);
+    EXPECT_GE(means[0] / cases, 0.76);
     EXPECT_GE(means[1] / cases, 0.73);
 }
 

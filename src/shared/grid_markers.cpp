@@ -61,24 +61,48 @@ static int divideEvenly(int count, int length, int unit, int i, int n)
     return 2 * i < n ? limit : count - limit;
 }
 
+//! Most that cells are stretched in each direction so that all rows have the same number of them.
+static const double MOST_STRETCHED = 0.08;
+
+//! Number of rows of n square cells.
+static double squareRows(Size size, double n) { return std::sqrt(n * size.height / size.width); }
+
+static double stretchOf(int rows, double square) { return std::max(rows / square, square / rows) - 1; }
+
 //! Number of rows of a grid of n cells that are nearly square. If a number near to it divides n, it is taken in a
 //! symmetric grid, so that cells lie one below the other and a transposed image has the transposed grid.
 static int countRows(Size size, int n, bool symmetric)
 {
-    const double MOST_STRETCHED = symmetric ? 0.08 : 0;
     const int fewest = (n + size.width - 1) / size.width; // rows, at least, for n cells
     const int most = std::min(size.height, n);
-    const double square = std::sqrt(double(n) * size.height / size.width);
+    const double square = squareRows(size, n);
     int best = std::max(fewest, std::min(cvRound(square), most));
-    double least = MOST_STRETCHED;
+    double least = symmetric ? MOST_STRETCHED : 0;
     const int last = std::min(most, cvFloor(square * (1 + least)));
     for (int rows = std::max(fewest, cvCeil(square / (1 + least))); rows <= last; rows++)
     {
-        const double stretched = std::max(rows / square, square / rows) - 1;
+        const double stretched = stretchOf(rows, square);
         if (n % rows != 0 || stretched >= least)
             continue;
         best = rows;
         least = stretched;
+    }
+    return best;
+}
+
+int countInFullRows(Size size, double wanted)
+{
+    const double FARTHEST = 0.05, REACH = (1 + MOST_STRETCHED) * (1 + FARTHEST), square = squareRows(size, wanted);
+    int best = cvRound(wanted);
+    double least = FARTHEST * wanted;
+    const int last = std::min(size.height, cvFloor(square * REACH));
+    for (int rows = std::max(1, cvCeil(square / REACH)); rows <= last; rows++)
+    {
+        const int n = rows * std::min(cvRound(wanted / rows), size.width);
+        if (std::abs(n - wanted) >= least || stretchOf(rows, squareRows(size, n)) >= MOST_STRETCHED)
+            continue;
+        best = n;
+        least = std::abs(n - wanted);
     }
     return best;
 }

@@ -9,6 +9,10 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! The number of cells nearest to `wanted` of a grid of nearly square cells that has as many in each row, if one is at
+//! most a twentieth away; else wanted, rounded.
+int countInFullRows(Size size, double wanted);
+
 //! A grid of cells, nearly square, whose rows differ by at most one cell. Each cell has the same number of parts, with
 //! a marker in each. Markers have consecutive numbers in a cell.
 struct MarkerGrid

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "shared/parameters.hpp"
+#include "shared/grid_markers.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -153,10 +154,15 @@ Point2f Parameters::focalLength(Size size) const
     return Point2f(focal_x, focal_y > 0 ? focal_y : focal_x);
 }
 
-int Parameters::countSuperpixels(double pixels) const
+int Parameters::countSuperpixels(Size size, double pixels) const
 {
-    const double wanted = num_superpixels ? num_superpixels
-                                          : pixels / (double(region_size) * region_size);
+    double wanted = num_superpixels;
+    if (region_size)
+    {
+        const bool all = pixels == double(size.width) * size.height;
+        wanted = pixels / (double(region_size) * region_size);
+        wanted = all ? countInFullRows(size, wanted) : wanted;
+    }
     return cvRound(std::min(std::max(wanted, 1.), pixels));
 }
 

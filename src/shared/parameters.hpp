@@ -46,8 +46,8 @@ struct Parameters
     //! Throws if a value is missing or wrong.
     static Parameters read(const FileNode& fn);
 
-    //! Number of superpixels for a number of pixels, at most one for each.
-    int countSuperpixels(double pixels) const;
+    //! Number of superpixels for a number of pixels in an image of a size, at most one for each.
+    int countSuperpixels(Size size, double pixels) const;
     //! The focal length in pixels, for images of a size.
     Point2f focalLength(Size size) const;
     //! alpha in 1/256.

@@ -320,8 +320,8 @@ public:
     CV_WRAP virtual int getAlgorithm() const = 0;
 
     /** @brief Asks for superpixels of a mean size; replaces setDesiredSuperpixels().
-    @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. The
-    number of superpixels is W * H / region_size^2, rounded, and at least 1. */
+    @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. There are
+    W * H / region_size^2 of them, or the nearest number in full rows of nearly square cells, if it is within 5 %. */
     CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
     /** @brief Region size in pixels, or 0 if a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
