@@ -103,6 +103,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.lightness = blocks_per_superpixel < FEW_BLOCKS ? 10 : 28; // shading varies less within small ones
     rules.brightness = 42;
     rules.slope = -24;
+    rules.rounding = 0.15f; // of blocks, so of few values
     rules.roughness = 128;
     rules.usual = 3.2f;
     rules.grow = true;
@@ -110,7 +111,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
     // Larger ones make superpixels of even areas squares.
-    rules.noise = cvRound(100 + 6 * std::min(std::max(ruler, 10.f), 40.f));
+    rules.noise = cvRound(80 + 6 * std::min(std::max(ruler, 10.f), 40.f));
     return rules;
 }
 

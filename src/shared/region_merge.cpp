@@ -104,17 +104,16 @@ void SimilarMerger::start()
 void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 {
     const float FINE = STEPS_PER_LEVEL, FLAT = FINE / 2; // for each pixel; less is like none
-    const int LEVEL = 256, STEEPEST = 64 * LEVEL; // in the unit of rises
     const RegionTexture& texture = b_.textures[region];
     const float area = float(regions_.sums[region].area), share = 1 / area, steps = texture.across + texture.down;
     record.texture = short(logarithm(steps + FINE * area) - logarithm(area));
     record.direction = short(logarithm(texture.across + FLAT * area) - logarithm(texture.down + FLAT * area));
     const int x = cvRound(texture.rise_across * share), y = cvRound(texture.rise_down * share);
-    const int grain = cvRound(rules_.grain * float(LEVEL));
-    const int rough = cvRound(steps * share * float(LEVEL) / FINE) - std::abs(x) - std::abs(y) - grain;
+    const int grain = cvRound(rules_.grain * float(SLOPE_OF_LEVEL));
+    const int rough = cvRound(steps * share * float(SLOPE_OF_LEVEL) / FINE) - std::abs(x) - std::abs(y) - grain;
     record.slope[0] = short(x);
     record.slope[1] = short(y);
-    record.rough = std::min(std::max(rough, 0) * rules_.roughness / 64, STEEPEST);
+    record.rough = std::min(std::max(rough, 0) * rules_.roughness / 64, int(STEEPEST_SLOPE));
 }
 
 MergeRegion SimilarMerger::describe(int region) const

@@ -125,7 +125,9 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
 v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b) const
 {
     const v_int16x8 slope_a = v_reinterpret_as_s16(a.slopes), slope_b = v_reinterpret_as_s16(b.slopes);
-    const v_int16x8 turn = v_sub_wrap(slope_a, slope_b), rough = v_reinterpret_as_s16(v_max(a.rough, b.rough));
+    const v_uint16x8 difference = v_min(v_absdiff(slope_a, slope_b), v_setall_u16(STEEPEST_SLOPE));
+    const v_int16x8 turn = v_max(v_sub_wrap(v_reinterpret_as_s16(difference), rounding_), v_setzero_s16());
+    const v_int16x8 rough = v_reinterpret_as_s16(v_max(a.rough, b.rough));
     const v_int32x4 smaller = v_min(v_dotprod(slope_a, slope_a), v_dotprod(slope_b, slope_b));
     const v_int32x4 not_common = add(v_dotprod(turn, turn), v_dotprod(rough, rough));
     const v_float32x4 common = v_cvt_f32(v_max(subtract(smaller, not_common), v_setzero_s32()));
@@ -187,6 +189,7 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
     : distance_(distance), records_(records), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
+      rounding_(v_setall_s16(short(cvRound(rules.rounding * SLOPE_OF_LEVEL)))),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),

@@ -24,6 +24,7 @@ struct MergeRules
     int direction = 0;     //!< of textures that run in different ones
     int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
     float grain = 1.5f;    //!< steps for each pixel, in levels, that are noise, and neither slope nor roughness
+    float rounding = 0;    //!< differences of slopes, in levels for each pixel, that are none
     int roughness = 0;     //!< so much of it, in 1/64, is no slope
     float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
@@ -57,12 +58,15 @@ inline MergeRules mergeByTextures()
     return rules;
 }
 
+//! Units of slopes in a level for each pixel; steeper ones count as the steepest.
+enum { SLOPE_OF_LEVEL = 256, STEEPEST_SLOPE = 64 * SLOPE_OF_LEVEL };
+
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
 {
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
-    short slope[2]; //!< of lightness across and down, in 1/256 of a level
+    short slope[2]; //!< of lightness across and down
     short texture;  //!< logarithm of the steps of colour for each pixel
     short direction; //!< logarithm of those across over those down
     float light;    //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
@@ -92,7 +96,7 @@ struct FourRegions;
 //! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
 //! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
 //! that are no slope, it is
-//!     e = (smaller g^2 - (g1 - g2)^2 - (larger q)^2) * smaller n,   not below 0
+//!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
@@ -123,6 +127,7 @@ private:
     const SurfaceMean* const surfaces_;
     v_int32x4 noise_, noise_in_cell_;
     v_float32x4 slope_; // of a squared slope, to a squared distance
+    v_int16x8 rounding_; // of slopes
     v_int32x4 log_usual_area_; // above it, unions are expensive
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
