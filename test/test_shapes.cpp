@@ -174,8 +174,7 @@ TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
         }
 }
 
-// A tenth of the superpixels are tiles of whole cells. Where a number asks for rows of cells of different numbers, their
-// edges are not straight.
+// A tenth of the superpixels are tiles of whole cells. Their edges are straight where rows have equal numbers of cells.
 TEST(ximgproc_SuperpixelGWatershed, tiles_of_cells_on_an_even_image_after_merging)
 {
     const Size sizes[] = { Size(320, 240), Size(640, 480), Size(481, 321), Size(240, 320) };

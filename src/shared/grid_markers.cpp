@@ -90,20 +90,21 @@ static int countRows(Size size, int n, bool symmetric)
     return best;
 }
 
-int countInFullRows(Size size, double wanted)
+int countSquares(Size size, int side)
 {
-    const double FARTHEST = 0.05, REACH = (1 + MOST_STRETCHED) * (1 + FARTHEST), square = squareRows(size, wanted);
+    const double FARTHEST = 0.05, wanted = double(size.width) / side * size.height / side;
     int best = cvRound(wanted);
     double least = FARTHEST * wanted;
-    const int last = std::min(size.height, cvFloor(square * REACH));
-    for (int rows = std::max(1, cvCeil(square / REACH)); rows <= last; rows++)
-    {
-        const int n = rows * std::min(cvRound(wanted / rows), size.width);
-        if (std::abs(n - wanted) >= least || stretchOf(rows, squareRows(size, n)) >= MOST_STRETCHED)
-            continue;
-        best = n;
-        least = std::abs(n - wanted);
-    }
+    for (int rows = size.height / side; rows <= (size.height - 1) / side + 1; rows++)
+        for (int columns = size.width / side; columns <= (size.width - 1) / side + 1; columns++)
+        {
+            const int n = rows * columns;
+            const double away = std::abs(n - wanted);
+            if (away >= least || stretchOf(rows, squareRows(size, n)) >= MOST_STRETCHED)
+                continue;
+            best = n;
+            least = away;
+        }
     return best;
 }
 

@@ -9,9 +9,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The number of cells nearest to `wanted` of a grid of nearly square cells that has as many in each row, if one is at
-//! most a twentieth away; else wanted, rounded.
-int countInFullRows(Size size, double wanted);
+//! How many squares with a side an image has: as many rows and columns as fit, each number rounded up or down, so that
+//! their product is near to that of the areas; where none is within 5 %, the number of areas, rounded.
+int countSquares(Size size, int side);
 
 //! A grid of cells, nearly square, whose rows differ by at most one cell. Each cell has the same number of parts, with
 //! a marker in each. Markers have consecutive numbers in a cell.

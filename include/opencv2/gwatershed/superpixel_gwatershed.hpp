@@ -321,7 +321,7 @@ public:
 
     /** @brief Asks for superpixels of a mean size; replaces setDesiredSuperpixels().
     @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. There are
-    W * H / region_size^2 of them, or the nearest number in full rows of nearly square cells, if it is within 5 %. */
+    as many in rows and columns as fit, rounded so that they are nearest to W * H / region_size^2, or just that. */
     CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
     /** @brief Region size in pixels, or 0 if a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
