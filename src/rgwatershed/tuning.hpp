@@ -105,7 +105,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.slope = -24;
     rules.rounding = 0.15f; // of blocks, so of few values
     rules.roughness = 128;
-    rules.usual = 3.2f;
+    rules.usual = 3;
     rules.grow = true;
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
