@@ -189,7 +189,7 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
     : distance_(distance), records_(records), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
-      rounding_(v_setall_s16(short(cvRound(rules.rounding * SLOPE_OF_LEVEL)))),
+      rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),
