@@ -192,8 +192,8 @@ benchmark_finds_itself() { # IMAGE
     mkdir -p "$results/images"
     cp "$1" "$results/images"
     "$build/bin/example_gwatershed_gwatershed_benchmark" -i="$results/images" -g="$results/truth" \
-        -k=300,614 -m=RGWATERSHED,grid -o="$results/benchmark.csv"
-    grep -q '^RGWATERSHED,614,mean,1,0,1,' "$results/benchmark.csv"
+        -k=300,624 -m=RGWATERSHED,grid -o="$results/benchmark.csv"
+    grep -q '^RGWATERSHED,624,mean,1,0,1,' "$results/benchmark.csv"
 }
 
 # Wrong numbers of superpixels, methods and folders end it with a message and the exit code 1.
