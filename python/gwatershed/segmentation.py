@@ -16,7 +16,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
 
     image: height x width, or with 1 to 4 channels as third dimension; integers or floats, whatever their range. Three
         channels are RGB, as scikit-image, Pillow and imageio read them; see bgr.
-    region_size: side of a superpixel in pixels; 10 if neither this nor num_superpixels is given.
+    region_size: side of a superpixel in pixels, 10 if neither this nor num_superpixels is given; as many as fit.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
     depth: depth map of the same size, uint16, int16, float or uint8. 0, what is below, NaN and 65535 of uint16 are
         missing; infinity is far.
