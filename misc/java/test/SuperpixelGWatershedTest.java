@@ -112,7 +112,7 @@ public class SuperpixelGWatershedTest extends OpenCVTestCase {
 
     public void testIterate() {
         SuperpixelGWatershed a = Gwatershed.createSuperpixelGWatershed(image, depth);
-        SuperpixelGWatershed b = Gwatershed.createSuperpixelGWatershed(WIDTH, HEIGHT, 3, 31);
+        SuperpixelGWatershed b = Gwatershed.createSuperpixelGWatershed(WIDTH, HEIGHT, 3, 30);
         a.iterate(3);
         b.iterate(image, depth, 3);
         assertSameLabels(a, b);
