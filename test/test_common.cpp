@@ -282,7 +282,7 @@ void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels)
     EXPECT_EQ(next, countPieces(own));
 }
 
-static int numberOfLabels(const Mat& labels)
+int numberOfLabels(const Mat& labels)
 {
     double largest = 0;
     minMaxLoc(labels, 0, &largest);

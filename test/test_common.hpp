@@ -56,6 +56,8 @@ Rect boundsOf(const std::vector<Point>& points);
 //! Number of 4-connected pieces of a mask.
 int countMaskPieces(const Mat& mask);
 bool equalMats(const Mat& a, const Mat& b);
+//! One more than the largest label.
+int numberOfLabels(const Mat& labels);
 //! Share of the variance of a CV_8UC3 image that the mean colours of the superpixels keep.
 double explainedVariation(const Mat& labels, const Mat& image);
 //! Mean over the pixels of 4 pi area / perimeter^2 of their superpixel.

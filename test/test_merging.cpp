@@ -149,7 +149,8 @@ struct Plan
 };
 
 //! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
-//! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them.
+//! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and no
+//! slope.
 std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
                                                  const std::vector<int>& parts)
 {
@@ -199,8 +200,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
         const double slope = commonSlope(rises[e->first.first], ta, na, rises[e->first.second], tb, nb);
-        const double noise = parts[e->first.first] == parts[e->first.second] ? 0.1875 : 1.5;
-        costs[e->first] = 0.58 * straightLog(d.dot(d) + 4 * std::min(na, nb) * slope + noise) +
+        const bool of_a_part = parts[e->first.first] == parts[e->first.second];
+        costs[e->first] = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * std::min(na, nb) * slope + 1.5)) +
                           straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                           0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
                           0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -

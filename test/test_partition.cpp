@@ -148,9 +148,7 @@ TEST_P(ximgproc_GWatershed_partition, gives_each_pixel_its_own_label_if_more_are
 
 static std::vector<int> areasOf(const Mat& labels)
 {
-    double last = 0;
-    minMaxLoc(labels, 0, &last);
-    std::vector<int> areas(int(last) + 1, 0);
+    std::vector<int> areas(numberOfLabels(labels), 0);
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
             areas[labels.at<int>(y, x)]++;

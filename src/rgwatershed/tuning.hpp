@@ -102,7 +102,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.length = mergeLength(ruler);
     rules.lightness = blocks_per_superpixel < FEW_BLOCKS ? 10 : 28; // shading varies less within small ones
     rules.brightness = 42;
-    rules.slope = -24;
+    rules.slope = rules.slope_in_cell = -24;
     rules.rounding = 0.15f; // of blocks, so of few values
     rules.roughness = 128;
     rules.usual = 3;

@@ -157,8 +157,9 @@ Point2f Parameters::focalLength(Size size) const
 int Parameters::countSuperpixels(Size size, double pixels) const
 {
     const bool all = pixels == double(size.width) * size.height;
-    const double wanted = region_size == 0 ? num_superpixels : all ? countSquares(size, region_size)
-                                                                   : pixels / (double(region_size) * region_size);
+    double wanted = num_superpixels;
+    if (region_size > 0)
+        wanted = all ? countSquares(size, region_size) : pixels / (double(region_size) * region_size);
     return cvRound(std::min(std::max(wanted, 1.), pixels));
 }
 

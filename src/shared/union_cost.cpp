@@ -122,7 +122,7 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
 
 //! What a slope that both regions are parts of explains of their squared distance, as far as it counts. Where it rises,
 //! regions beside each other differ by as much as it does from one centre to the next, and across it they do not.
-v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b) const
+v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell) const
 {
     const v_int16x8 slope_a = v_reinterpret_as_s16(a.slopes), slope_b = v_reinterpret_as_s16(b.slopes);
     const v_uint16x8 difference = v_min(v_absdiff(slope_a, slope_b), v_setall_u16(STEEPEST_SLOPE));
@@ -132,7 +132,7 @@ v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b) const
     const v_int32x4 not_common = add(v_dotprod(turn, turn), v_dotprod(rough, rough));
     const v_float32x4 common = v_cvt_f32(v_max(subtract(smaller, not_common), v_setzero_s32()));
     const v_float32x4 explained = v_min(multiply(common, v_min(a.area, b.area)), v_setall_f32(1e9f));
-    return v_trunc(multiply(explained, slope_));
+    return v_trunc(multiply(explained, v_select(v_reinterpret_as_f32(share_a_cell), slope_in_cell_, slope_)));
 }
 
 //! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
@@ -166,8 +166,9 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(log_area_a, log_area_b)));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
-    const v_int32x4 noise = v_select(equal(a.cell, b.cell), noise_in_cell_, noise_);
-    const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, ofSlopes(a, b)), zero), noise));
+    const v_int32x4 share_a_cell = equal(a.cell, b.cell); // all bits, or none
+    const v_int32x4 noise = v_select(share_a_cell, noise_in_cell_, noise_), slopes = ofSlopes(a, b, share_a_cell);
+    const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, slopes), zero), noise));
     const v_int32x4 areas = subtract(add(log_area_a, log_area_b), log_union);
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
@@ -189,6 +190,7 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
     : distance_(distance), records_(records), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
+      slope_in_cell_(v_setall_f32(float(distance.shareOfColor(rules.slope_in_cell)) / 256)),
       rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),

@@ -23,12 +23,13 @@ struct MergeRules
     int texture = 0;       //!< of the smoother region makes it cheap: differences mean less there
     int direction = 0;     //!< of textures that run in different ones
     int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
+    int slope_in_cell = 0; //!< the same between regions of one cell of the grid of markers, or part of a plan
     float grain = 1.5f;    //!< steps for each pixel, in levels, that are noise, and neither slope nor roughness
     float rounding = 0;    //!< differences of slopes, in levels for each pixel, that are none
     int roughness = 0;     //!< so much of it, in 1/64, is no slope
     float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
-    int noise_in_cell = 24; //!< the same between regions of one cell of the grid of markers, or part of a plan
+    int noise_in_cell = 24; //!< the same in a cell, or part of a plan
     int in_cell = 1;       //!< so many regions of consecutive numbers share a cell of a grid
     bool on_surface = false; //!< areas are those on the surface, not in the image
     int num_kept = 0;      //!< so many regions, the first ones, stay apart rather than any others
@@ -49,7 +50,7 @@ inline MergeRules mergeByTextures()
     rules.chroma = 10;
     rules.texture = 75;
     rules.direction = 32;
-    rules.slope = 4;
+    rules.slope = 4; // but none in a part of a plan: so the plan holds on a ramp, too
     rules.grain = 2.5f; // with less, two levels of noise make strips of a ramp
     rules.roughness = 21;
     rules.usual = 2.9f;
@@ -99,6 +100,7 @@ struct FourRegions;
 //!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
+//! Parts of a plan are compact as they are, so no slope need count inside of them.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
 //! colours are equal, and is less in a cell of the grid of markers or a part of a plan. Between rough regions, the same
 //! differences mean less. Without the last factor, what holds both colours of a pattern is nearer to all around it than
@@ -120,13 +122,13 @@ private:
     v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
                        const MergeRegion* const* first, const MergeRegion* const* second) const;
 
-    v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b) const;
+    v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell) const;
 
     const RegionDistance distance_;
     const MergeRegion* const records_;
     const SurfaceMean* const surfaces_;
     v_int32x4 noise_, noise_in_cell_;
-    v_float32x4 slope_; // of a squared slope, to a squared distance
+    v_float32x4 slope_, slope_in_cell_; // of a squared slope, to a squared distance
     v_int16x8 rounding_; // of slopes
     v_int32x4 log_usual_area_; // above it, unions are expensive
     v_int32x4 if_they_grow_;   // all bits, or none

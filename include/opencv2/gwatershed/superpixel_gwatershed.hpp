@@ -213,8 +213,8 @@ public:
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
     alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
-    e is 1.5, but 3/16 between two halves of a plan, which divides the image into tiles of about ten superpixels, and
-    these into halves, down to single ones. So a tenth of the superpixels of an even image are a grid.
+    e is 1.5. Between two halves of a plan, which divides the image into tiles of about ten superpixels, and these into
+    halves, down to single ones, e is 3/16 and s is 0. So a tenth of the superpixels of an even image are a grid.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
@@ -320,8 +320,8 @@ public:
     CV_WRAP virtual int getAlgorithm() const = 0;
 
     /** @brief Asks for superpixels of a mean size; replaces setDesiredSuperpixels().
-    @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. There are
-    as many in rows and columns as fit, rounded so that they are nearest to W * H / region_size^2, or just that. */
+    @param region_size Side in pixels of a square of the mean area of a superpixel, 1 or more. Default 10. Their
+    number is W * H / region_size^2, changed by up to 5 % so that rows and columns are full where that can be. */
     CV_WRAP virtual void setRegionSize(int region_size = 10) = 0;
     /** @brief Region size in pixels, or 0 if a number of superpixels is asked for. @see setRegionSize */
     CV_WRAP virtual int getRegionSize() const = 0;
