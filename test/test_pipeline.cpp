@@ -192,8 +192,8 @@ TEST_P(ximgproc_GWatershed_pipeline, contrasts_do_not_see_depth_outside_of_the_m
 {
     RNG& rng = theRNG();
     const Mat image = makeScene(Size(120, 90), rng), depth = makeDepth(image.size(), 0.1, rng);
-    const Mat mask = makeMask(DISCS, image.size(), rng);
-    Mat other = depth.clone();
+    Mat mask = Mat::zeros(image.size(), CV_8UC1), other = depth.clone();
+    circle(mask, Point(60, 45), rng.uniform(30, 50), Scalar(255), FILLED);
     other.setTo(Scalar(60000), mask == 0);
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
     gws->setMask(mask);

@@ -150,13 +150,19 @@ Mat segmentLab(const Mat& lab, int algorithm)
 // explain 0.883 of the variation by floats and 0.894 by 8 bits; those of GWATERSHED 0.696 and 0.693.
 TEST_P(ximgproc_GWatershed_real_inputs, lab_of_floats_is_cut_as_lab_of_8_bits)
 {
-    const Mat side = disc(Size(160, 120)), photo = makeScene(Size(240, 180), theRNG());
+    const Mat side = disc(Size(160, 120));
     Mat image(side.size(), CV_8UC3, Scalar(90, 120, 70));
     image.setTo(Scalar(60, 90, 140), side);
     EXPECT_LE(labelsOnBothSides(segmentLab(toLab(image, CV_32F), GetParam()), side),
               labelsOnBothSides(segmentLab(toLab(image, CV_8U), GetParam()), side));
-    EXPECT_GE(explainedVariation(segmentLab(toLab(photo, CV_32F), GetParam()), photo),
-              explainedVariation(segmentLab(toLab(photo, CV_8U), GetParam()), photo) - 0.005);
+    double gain = 0;
+    for (int i = 0; i < 8; i++)
+    {
+        const Mat scene = makeScene(Size(240, 180), theRNG());
+        gain += explainedVariation(segmentLab(toLab(scene, CV_32F), GetParam()), scene) -
+                explainedVariation(segmentLab(toLab(scene, CV_8U), GetParam()), scene);
+    }
+    EXPECT_GE(gain / 8, -0.005);
 }
 
 TEST_P(ximgproc_GWatershed_real_inputs, the_automatic_range_is_without_one_value_in_1000_at_each_end)

@@ -382,6 +382,28 @@ TEST(ximgproc_SuperpixelGWatershed, compactness_grows_with_the_ruler)
     }
 }
 
+// A small ruler makes the blocks of the flood smaller, which must not make superpixels more compact.
+TEST(ximgproc_SuperpixelGWatershed, compactness_grows_with_the_ruler_in_textures)
+{
+    for (double blur : { 0.5, 1., 2., 3. })
+    {
+        Mat image(240, 320, CV_8UC3);
+        theRNG().fill(image, RNG::UNIFORM, 0, 256);
+        GaussianBlur(image, image, Size(), blur);
+        normalize(image, image, 0, 255, NORM_MINMAX);
+        for (int region_size : REGION_SIZES)
+        {
+            double before = 0;
+            for (float ruler : { 0.f, 1.f, 2.5f, 5.f, 10.f, 20.f, 40.f })
+            {
+                const double now = compactness(superpixels(image, region_size, ruler));
+                EXPECT_GE(now, before - 0.01) << blur << ", " << region_size << ", ruler " << ruler;
+                before = now;
+            }
+        }
+    }
+}
+
 //! Share of the pixels of a line that are in superpixels most of whose pixels are of the line.
 double shareInOwnSuperpixels(const Mat& labels, const Rect& line)
 {

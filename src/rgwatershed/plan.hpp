@@ -41,6 +41,7 @@ struct Plan
     RegionDistance flood_distance;       //!< leads in finding regions
     SweepRules sweep_before_merging, sweep; //!< lead in settling boundaries
     int sweeps_before_merging, sweeps_after_merging; //!< of the blocks that were flooded
+    int sweeps_of_pixels;
 };
 
 }}} // namespace

@@ -143,7 +143,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
     for (int level = top; level >= 0; level--)
     {
         const int num_sweeps = level == top ? plan.sweeps_after_merging
-                             : level > 0 ? SWEEPS_OF_BLOCKS : SWEEPS_OF_PIXELS;
+                             : level > 0 ? SWEEPS_OF_BLOCKS : plan.sweeps_of_pixels;
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have none of their own, and leave blocks across an edge here

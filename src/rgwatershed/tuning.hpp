@@ -24,7 +24,6 @@ static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ru
 static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
 static const double MOST_AREA = 3.1;           // of a superpixel, in mean areas, that still gains blocks or pixels
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the blocks that are flooded and the pixels
-static const int SWEEPS_OF_PIXELS = 1;
 static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first
 static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pixel any more: some would go to and fro
 
@@ -170,6 +169,14 @@ inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_
 {
     const BlockSweeps usual = { markers_per_superpixel < 4 ? 1 : 2, 1, 1 }, of_few = { 0, 3, 0.7 };
     return blocks_per_superpixel < FEW_BLOCKS && markers_per_superpixel > 1 ? of_few : usual;
+}
+
+//! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level. So regions that are large enough for
+//! blocks of 4x4, but have smaller ones for a small ruler or a high effort, would be more compact than with these.
+inline int sweepsOfPixels(int side_of_blocks, double pixels_per_region)
+{
+    const int ENOUGH = 12 * 16; // for blocks of 4x4
+    return side_of_blocks == 3 && pixels_per_region >= ENOUGH ? 2 : 1;
 }
 
 //! With normals, depth is measured against planes, so both are trusted more beside colour.
