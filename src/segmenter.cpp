@@ -59,8 +59,8 @@ void Segmenter::segment(const Mat& image, const Mat& depth, const Mat& markers, 
     result.start(image.size(), parameters, mask);
     const Rect bounds = result.bounds;
     const Mat depth_inside = depth.empty() ? Mat() : depth(bounds);
-    const bool uses_depth =
-            parameters.alpha < 1 || (parameters.depth_adaptive && usesSurfaces(depth_inside, parameters));
+    const bool adapts_to_depth = parameters.depth_adaptive && markers.empty() && usesSurfaces(depth_inside, parameters);
+    const bool uses_depth = parameters.alpha < 1 || adapts_to_depth;
     if (!bounds.empty())
         run(makeFrame(image(bounds), uses_depth ? depth_inside : Mat(), markers.empty() ? Mat() : markers(bounds),
                       result), last, num_iterations, result);

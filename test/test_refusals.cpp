@@ -181,6 +181,12 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_files_and_keeps_the_old_parame
         wrong.insert(end, ".25");
         EXPECT_TRUE(isRefused([&] { read(wrong); }, no_integers[i]));
     }
+    for (const String flag : { "lab_input", "temporal", "depth_adaptive" })
+    {
+        wrong = text;
+        wrong.replace(wrong.find(flag + ": 0"), flag.size() + 3, flag + ": 7");
+        EXPECT_TRUE(isRefused([&] { read(wrong); }, flag));
+    }
     EXPECT_EQ(13, gws->getRegionSize());
 }
 

@@ -194,10 +194,21 @@ TEST(ximgproc_SuperpixelGWatershed, alpha_weighs_colour_against_depth)
     const Mat depth = makeDepth(image.size(), 0, rng);
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 10);
     gws->setAlpha(0); // depth alone
-    gws->iterate(image, depth);
-    const Mat of_depth = labelsOf(gws);
-    gws->iterate(other, depth);
-    EXPECT_TRUE(equalMats(of_depth, labelsOf(gws)));
+    for (float normal_weight : { 0.f, 0.2f })
+        for (int effort = 0; effort < 4; effort++)
+        {
+            gws->setNormalWeight(normal_weight);
+            gws->setEffort(effort);
+            gws->iterate(image, depth);
+            const Mat of_depth = labelsOf(gws);
+            gws->mergeSimilar(30);
+            const Mat merged = labelsOf(gws);
+            gws->iterate(other, depth);
+            EXPECT_TRUE(equalMats(of_depth, labelsOf(gws))) << normal_weight << ", " << effort;
+            gws->mergeSimilar(30);
+            EXPECT_TRUE(equalMats(merged, labelsOf(gws))) << normal_weight << ", " << effort;
+        }
+    gws->setEffort(1);
     gws->setAlpha(1); // colour alone
     gws->iterate(image, depth);
     EXPECT_TRUE(equalMats(segment(image, RGWATERSHED, 10), labelsOf(gws)));

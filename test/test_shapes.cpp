@@ -281,9 +281,9 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_clean_ramp)
                 for (int region_size : { 13, 14, 15, 16, 17, 18, 20, 21, 24, 30 })
                 {
                     EXPECT_LE(medianAspect(superpixels(image, region_size)), 1.6)
-                        << size << levels << direction << ", " << region_size;
+                        << size << int(levels) << direction << ", " << region_size;
                     EXPECT_LE(medianAspect(mergedToATenth(image, region_size)), 1.6)
-                        << size << levels << direction << ", " << region_size;
+                        << size << int(levels) << direction << ", " << region_size;
                 }
             }
 }

@@ -375,4 +375,48 @@ TEST(ximgproc_GWatershed_surfaces, alpha_1_is_colour_alone_where_superpixels_wou
     }
 }
 
+TEST(ximgproc_GWatershed_surfaces, adaptive_areas_change_nothing_with_markers_of_the_user)
+{
+    const Mat image = makeScene(Size(120, 90), theRNG());
+    Mat depth, markers(image.size(), CV_32SC1, Scalar(0)), labels[2];
+    makePlane(1500, 0.5, 0.2)(Rect(0, 0, 120, 90)).convertTo(depth, CV_16U);
+    for (int i = 0; i < 108; i++)
+        markers.at<int>(i / 12 * 10 + 5, i % 12 * 10 + 5) = i + 1;
+    for (float alpha : { 1.f, 0.5f })
+    {
+        for (int adaptive = 0; adaptive < 2; adaptive++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 10);
+            gws->setAlpha(alpha);
+            gws->setMarkers(markers);
+            gws->setDepthAdaptive(adaptive != 0);
+            gws->iterate(image, depth);
+            gws->mergeSimilar(30);
+            labels[adaptive] = labelsOf(gws);
+        }
+        EXPECT_TRUE(equalMats(labels[0], labels[1])) << alpha;
+    }
+}
+
+// What is 0 in 32 bits is no depth: its inverse would outweigh all others.
+TEST(ximgproc_GWatershed_surfaces, doubles_are_measured_as_floats)
+{
+    Mat depth = makePlane(2, 0.2, 0.1)(Rect(0, 0, 40, 40)), depths[2], normals[2];
+    for (int i = 0; i < 2; i++)
+    {
+        Mat measured, stats, centroids, colors, positions;
+        depth.convertTo(measured, CV_64F);
+        measured.at<double>(20, 20) = 1e-200;
+        if (i == 1)
+            measured.convertTo(measured, CV_32F);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(40, 40, 3, 1);
+        gws->iterate(gray()(Rect(0, 0, 40, 40)), measured);
+        gws->getStatistics(gray()(Rect(0, 0, 40, 40)), measured, stats, centroids, colors, depths[i], positions,
+                           normals[i]);
+    }
+    EXPECT_TRUE(equalMats(normals[0], normals[1]));
+    EXPECT_TRUE(equalMats(depths[0], depths[1]));
+    EXPECT_NEAR(1, cv::norm(normals[0]), 1e-6);
+}
+
 }} // namespace

@@ -121,6 +121,14 @@ static int readInteger(const FileNode& fn, const char* name)
     return int(value);
 }
 
+static bool readFlag(const FileNode& fn, const char* name)
+{
+    const int value = readInteger(fn, name);
+    if (value != 0 && value != 1)
+        CV_Error_(Error::StsOutOfRange, ("read: %s must be 0 or 1", name));
+    return value == 1;
+}
+
 Parameters Parameters::read(const FileNode& fn)
 {
     Parameters parameters;
@@ -135,13 +143,13 @@ Parameters Parameters::read(const FileNode& fn)
     parameters.setRuler(readValue<float>(fn, "ruler"));
     parameters.setEffort(readInteger(fn, "effort"));
     parameters.setAlpha(readValue<float>(fn, "alpha"));
-    parameters.lab_input = readInteger(fn, "lab_input") != 0;
-    parameters.temporal = readInteger(fn, "temporal") != 0;
+    parameters.lab_input = readFlag(fn, "lab_input");
+    parameters.temporal = readFlag(fn, "temporal");
     parameters.setValueRange(readValue<float>(fn, "low_value"), readValue<float>(fn, "high_value"));
     parameters.setDepthRange(readValue<float>(fn, "near_depth"), readValue<float>(fn, "far_depth"));
     parameters.setFocalLength(readValue<float>(fn, "focal_x"), readValue<float>(fn, "focal_y"));
     parameters.setNormalWeight(readValue<float>(fn, "normal_weight"));
-    parameters.depth_adaptive = readInteger(fn, "depth_adaptive") != 0;
+    parameters.depth_adaptive = readFlag(fn, "depth_adaptive");
     parameters.setBorderThreshold(readValue<float>(fn, "border_threshold"));
     return parameters;
 }

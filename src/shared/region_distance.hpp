@@ -60,6 +60,12 @@ public:
         return with_depth ? exponent * (FULL_WEIGHT - beside_color) / FULL_WEIGHT : exponent;
     }
 
+    //! The textures of pixels say more: they count in full, unless depth counts more than twice as much as colour.
+    int shareOfTexture(int exponent) const
+    {
+        return with_depth ? exponent * std::min(2 * color_share, int(FULL_WEIGHT)) / FULL_WEIGHT : exponent;
+    }
+
     //! Distances of four pairs of pixels.
     template <bool WITH_DEPTH> v_int32x4 between(const v_uint8x16& f, const v_uint8x16& g) const
     {

@@ -197,8 +197,10 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),
       length_and_lightness_(makePairs(-rules.length, -distance.shareOfColor(rules.lightness))),
-      brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness), rules.chroma)),
-      texture_and_direction_(makePairs(-rules.texture, rules.direction))
+      brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness),
+                                       distance.shareOfTexture(rules.chroma))),
+      texture_and_direction_(makePairs(-distance.shareOfTexture(rules.texture),
+                                       distance.shareOfTexture(rules.direction)))
 {
 }
 

@@ -10,12 +10,12 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Whether a value of a depth map is a depth that was measured: 0 and what is below, NaN and, in 16 bits, 65535 are
-//! missing; infinity is farther than can be measured.
+//! missing; infinity is farther than can be measured. Doubles are what they are as floats.
 inline bool isValidDepth(uchar depth) { return depth != 0; }
 inline bool isValidDepth(ushort depth) { return depth != 0 && depth != 65535; }
 inline bool isValidDepth(short depth) { return depth > 0; }
 inline bool isValidDepth(float depth) { return depth > 0 && depth <= FLT_MAX; }
-inline bool isValidDepth(double depth) { return depth > 0 && depth <= FLT_MAX; }
+inline bool isValidDepth(double depth) { return depth <= FLT_MAX && float(depth) > 0; }
 
 //! Whether a value is farther than any depth that was measured.
 template <typename T> inline bool isFarDepth(T) { return false; }

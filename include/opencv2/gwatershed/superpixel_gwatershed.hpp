@@ -212,9 +212,9 @@ public:
     max(0, t - |g|_1 - 2.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
     q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
     8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
-    alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with setFocalLength() up to 0.67.
-    e is 1.5. Between two halves of a plan, which divides the image into tiles of about ten superpixels, and these into
-    halves, down to single ones, e is 3/16 and s is 0. So a tenth of the superpixels of an even image are a grid.
+    alpha weighs depth. Beside it, L and s count less: not at all up to alpha 0.5, with surfaces up to 0.67; so do c, t
+    and r below 0.33 and 0.5: not at all at 0. e is 1.5. A plan divides the image into tiles of about ten superpixels,
+    and these into halves, to single ones; between halves e is 3/16 and s is 0, so that even images become a grid.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
