@@ -30,6 +30,7 @@ static const char* const KEYS =
     " <id>-0.png, <id>-1.png, ... for several annotators, or <id>_labels.png }"
     "{d depth      |     | folder of depth maps <id>_depth.png (0: missing); methods that take depth run without, too }"
     "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
+    "{f focal      | 0   | focal length of the depth camera in pixels; 0: 0.8 of the longer side of the image }"
     "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
     "{m methods    |     | names of the methods to run, or their beginnings, separated by commas; empty: all }"
     "{l limit      | 0   | number of images to use, the first ones by name; 0: all }"
@@ -59,20 +60,29 @@ static double side(const Mat& image, int k)
     return std::sqrt(double(image.total()) / k);
 }
 
-static Ptr<SuperpixelGWatershed> runGWatershed(const Mat& image, const Mat& depth, int k, int algorithm, float ruler,
-                                               int iterations)
+//! How SuperpixelGWatershed is called.
+struct Settings
 {
-    Ptr<SuperpixelGWatershed> gws =
-            createSuperpixelGWatershed(image.cols, image.rows, image.channels(), k, algorithm, ruler);
-    if (depth.empty())
-        gws->iterate(image, iterations);
-    else
-        gws->iterate(image, depth, iterations);
-    return gws;
-}
+    int algorithm;
+    float ruler;
+    int iterations, effort;
+    int merged_from; //!< so many superpixels, or 0: not merged
+    float focal;     //!< length, 0: the default
+};
 
-static Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws)
+static Mat segmentByGWatershed(const Mat& image, const Mat& depth, int k, const Settings& settings)
 {
+    const int num_superpixels = std::max(settings.merged_from, k);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, image.channels(),
+                                                               num_superpixels, settings.algorithm, settings.ruler);
+    gws->setEffort(settings.effort);
+    gws->setFocalLength(settings.focal);
+    if (depth.empty())
+        gws->iterate(image, settings.iterations);
+    else
+        gws->iterate(image, depth, settings.iterations);
+    if (settings.merged_from > 0)
+        gws->mergeSimilar(k);
     Mat labels;
     gws->getLabels(labels);
     return labels;
@@ -162,23 +172,11 @@ static Mat segmentByScanSegment(const Mat& image, const Mat&, int k)
 
 #endif
 
-static Method gwatershed(const String& name, int algorithm, float ruler, int iterations)
+static Method gwatershed(const String& name, const Settings& settings)
 {
     const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
     {
-        return labelsOf(runGWatershed(image, depth, k, algorithm, ruler, iterations));
-    } };
-    return method;
-}
-
-//! Segments into more superpixels than asked for, and merges the most similar ones.
-static Method mergedGWatershed(const String& name, int algorithm, int from)
-{
-    const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
-    {
-        const Ptr<SuperpixelGWatershed> gws = runGWatershed(image, depth, std::max(from, k), algorithm, 10, 1);
-        gws->mergeSimilar(k);
-        return labelsOf(gws);
+        return segmentByGWatershed(image, depth, k, settings);
     } };
     return method;
 }
@@ -189,15 +187,21 @@ static Method peer(const String& name, const Segmenter& segment)
     return method;
 }
 
-static std::vector<Method> allMethods()
+static std::vector<Method> allMethods(float focal)
 {
+    const String merged = "merged from 1600 ";
     std::vector<Method> methods;
-    methods.push_back(gwatershed("RGWATERSHED", RGWATERSHED, 10, 1));
-    methods.push_back(gwatershed("RGWATERSHED 4 iterations", RGWATERSHED, 10, 4));
-    methods.push_back(gwatershed("RGWATERSHED ruler 1 8 iterations", RGWATERSHED, 1, 8));
-    methods.push_back(gwatershed("GWATERSHED", GWATERSHED, 10, 1));
-    methods.push_back(mergedGWatershed("merged from 1600 RGWATERSHED", RGWATERSHED, 1600));
-    methods.push_back(mergedGWatershed("merged from 1600 GWATERSHED", GWATERSHED, 1600));
+    methods.push_back(gwatershed("RGWATERSHED", { RGWATERSHED, 10, 1, 1, 0, focal }));
+    methods.push_back(gwatershed("RGWATERSHED 4 iterations", { RGWATERSHED, 10, 4, 1, 0, focal }));
+    methods.push_back(gwatershed("RGWATERSHED ruler 1 8 iterations", { RGWATERSHED, 1, 8, 1, 0, focal }));
+    methods.push_back(gwatershed("RGWATERSHED effort 0", { RGWATERSHED, 10, 1, 0, 0, focal }));
+    methods.push_back(gwatershed("RGWATERSHED effort 2", { RGWATERSHED, 10, 1, 2, 0, focal }));
+    methods.push_back(gwatershed("RGWATERSHED effort 3", { RGWATERSHED, 10, 1, 3, 0, focal }));
+    methods.push_back(gwatershed("GWATERSHED", { GWATERSHED, 10, 1, 1, 0, focal }));
+    methods.push_back(gwatershed(merged + "RGWATERSHED", { RGWATERSHED, 10, 1, 1, 1600, focal }));
+    methods.push_back(gwatershed(merged + "RGWATERSHED ruler 5", { RGWATERSHED, 5, 1, 1, 1600, focal }));
+    methods.push_back(gwatershed(merged + "RGWATERSHED ruler 5 effort 2", { RGWATERSHED, 5, 1, 2, 1600, focal }));
+    methods.push_back(gwatershed(merged + "GWATERSHED", { GWATERSHED, 10, 1, 1, 1600, focal }));
 #ifdef GWATERSHED_HAVE_XIMGPROC
     methods.push_back(peer("SLIC", [](const Mat& image, const Mat&, int k) { return segmentBySLIC(image, k, SLIC); }));
     methods.push_back(
@@ -365,8 +369,10 @@ static int run(int argc, char** argv)
     const std::vector<String> wanted = splitList(parser.get<String>("methods"));
     const bool ignore_zero = parser.has("ignore_zero");
     const int limit = parser.get<int>("limit"), threads = parser.get<int>("threads");
+    const float focal = parser.get<float>("focal");
     if (parser.has("help") || image_dir.empty() || truth_dir.empty() || !parser.check())
     {
+        parser.printErrors();
         parser.printMessage();
         return parser.has("help") ? 0 : 2;
     }
@@ -382,9 +388,9 @@ static int run(int argc, char** argv)
     setNumThreads(threads);
 
     out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
-    std::cout << format("%-36s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
+    std::cout << format("%-46s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
                         "CO", "N", "pieces", "ms");
-    const std::vector<Method> methods = allMethods();
+    const std::vector<Method> methods = allMethods(focal);
     Progress progress;
     int rows = 0;
     for (size_t i = 0; i < methods.size(); i++)
@@ -396,7 +402,7 @@ static int run(int argc, char** argv)
                 const metrics::Scores s = runMethod(methods[i], name, with_depth != 0, k, examples, ignore_zero, out,
                                                     progress);
                 rows++;
-                std::cout << format("%-36s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
+                std::cout << format("%-46s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
                                     s.recall, s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds)
                           << std::flush;
             }

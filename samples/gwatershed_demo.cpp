@@ -20,7 +20,7 @@ using namespace cv::ximgproc;
 static const char* const KEYS =
     "{help h         |     | print this text }"
     "{i image        |     | image to segment; without it, the camera }"
-    "{d depth        |     | depth of the image, or of the frames of -c: 8- or 16-bit, or 32-bit float; 0 is missing }"
+    "{d depth        |     | depth of -i, or the folder of depth of a folder -c: 8- or 16-bit, or float; 0 is missing }"
     "{o output       |     | segment -i without a window and write <o>_contours.png, <o>_mean.png, <o>_labels.png }"
     "{c camera       | 0   | camera id, video file, or folder of frames; openni2 or realsense: a camera with depth }"
     "{s region_size  | 20  | side of a superpixel in pixels }"
@@ -111,7 +111,10 @@ public:
     //! What is a folder has frames in the order of their names; that of depth may be left out.
     Source(const String& name, const String& depth_folder)
     {
-        if (utils::fs::isDirectory(name))
+        const bool is_folder = utils::fs::isDirectory(name);
+        if (!is_folder && !depth_folder.empty())
+            CV_Error(Error::StsBadArg, "-d needs an image, -i, or a folder of frames, -c");
+        if (is_folder)
         {
             glob(name, colors_);
             if (!depth_folder.empty())

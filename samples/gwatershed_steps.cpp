@@ -160,6 +160,7 @@ int main(int argc, char** argv)
     const Rect wanted(parser.get<int>("left"), parser.get<int>("top"), size, size);
     if (parser.has("help") || file.empty() || !parser.check())
     {
+        parser.printErrors();
         parser.printMessage();
         return parser.has("help") ? 0 : 1;
     }

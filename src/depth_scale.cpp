@@ -253,7 +253,7 @@ bool tellsApart(const Mat& scaled)
 
 } // namespace
 
-//! @note Depth that is the same everywhere is dropped: halving all heights by equation (3) would
+//! @note Depth that is the same everywhere is dropped: halving all priorities by equation (3) would
 //! make some of them equal, and the flood another one, although depth says nothing.
 Mat scaleDepth(const Mat& depth, FloatRange range, Mat& buffer)
 {

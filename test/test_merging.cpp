@@ -149,8 +149,8 @@ struct Plan
 };
 
 //! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
-//! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and no
-//! slope.
+//! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and
+//! no slope.
 std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
                                                  const std::vector<int>& parts)
 {

@@ -114,6 +114,27 @@ TEST(ximgproc_GWatershed_surfaces, few_wrong_depths_near_to_the_camera_take_no_l
     EXPECT_LT(wrong, 0.05 * place.area());
 }
 
+// Levels are those of inverse depth, of which a near end of 0 would take all.
+TEST(ximgproc_GWatershed_surfaces, a_range_that_begins_at_the_camera_leaves_levels_for_the_rest)
+{
+    const Vec2f ranges[] = { Vec2f(0, 4000), Vec2f(0, 8000), Vec2f(1, 4000), Vec2f(100, 4000), Vec2f(500, 4000) };
+    const Vec2f sides[] = { Vec2f(1500, 2500), Vec2f(800, 900), Vec2f(3000, 3300) };
+    Mat left(SIZE, CV_8UC1, Scalar(0));
+    for (int y = 0; y < SIZE.height; y++)
+        left.row(y).colRange(0, SIZE.width / 2 + (y / 2) % 17).setTo(Scalar(255));
+    for (const Vec2f& range : ranges)
+        for (const Vec2f& side : sides)
+            for (double unit : { 1., 0.001 })
+            {
+                Mat depth(SIZE, CV_32FC1, Scalar(side[1] * unit));
+                depth.setTo(Scalar(side[0] * unit), left);
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 200);
+                gws->setDepthRange(float(range[0] * unit), float(range[1] * unit));
+                gws->iterate(gray(), depth);
+                EXPECT_GT(purity(labelsOf(gws), 200, left), 0.995) << range << side << unit;
+            }
+}
+
 //! Compactness of what a patch of another colour, which appears in a video of a plane, is divided into.
 static double compactnessOfNewPatch(double slope_x, double slope_y)
 {

@@ -93,7 +93,10 @@ def read_depth(name: str) -> Any:
 
 
 def write(name: Path, picture: Any) -> None:
+    """Labels of more than 16 bits fit TIFF and NumPy only; Pillow cuts them off without a word elsewhere."""
     from PIL import Image
+    if picture.dtype == np.int32 and name.suffix.lower() not in (".npy", ".tif", ".tiff"):
+        raise ValueError("labels above 65535 need a .tiff or .npy file")
     if name.suffix == ".npy":
         np.save(name, picture)
     else:
@@ -106,7 +109,7 @@ def output_of(name: str, arguments: argparse.Namespace) -> Path:
     if len(arguments.images) == 1 and not output.is_dir():
         return output
     output.mkdir(parents=True, exist_ok=True)
-    return output / (Path(name).stem + ".png")
+    return output / (Path(name).stem + (".tiff" if arguments.show == "labels" else ".png"))
 
 
 def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:

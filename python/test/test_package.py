@@ -449,6 +449,22 @@ class CommandTest(unittest.TestCase):
                                            self.path("results"))
         self.assertEqual((code, output), (0, ""))
 
+    def test_labels_of_more_than_16_bits(self):
+        from PIL import Image
+        Image.fromarray(np.zeros((260, 260, 3), np.uint8)).save(self.path("large.png"))
+        many = (self.path("large.png"), "--show", "labels", "-s", "1", "-o")
+        for name in ("many.tiff", "many.npy"):
+            self.assertEqual(self.run_command(*many, self.path(name))[0], 0)
+            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
+            self.assertEqual(len(np.unique(labels)), 260 * 260)
+        code, _, errors = self.run_command(*many, self.path("many.png"))
+        self.assertEqual(code, 1)
+        self.assertIn("65535", errors)
+        self.assertFalse(os.path.exists(self.path("many.png")))
+        os.mkdir(self.path("folder"))
+        self.assertEqual(self.run_command(*many, self.path("folder"))[0], 0)
+        self.assertEqual(len(np.unique(self.read(os.path.join("folder", "large.tiff")))), 260 * 260)
+
     def test_wrong_arguments(self):
         image = self.path("image.png")
         for wrong in ([], [image], [image, "-o", "x.png", "-k", "many"], [image, "-o", "x.png", "-k", "3", "-s", "3"],

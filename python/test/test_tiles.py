@@ -228,7 +228,7 @@ class StoppedTest(TilesCase):
             self.assertEqual(process.returncode, code)
             self.assertEqual(b"the same command goes on" in errors, code == 130)
             with mock.patch.object(work, "_segment", wraps=work._segment) as calls:
-                _, labels = self.run_tiles("killed.zarr", num_iterations=SLOW, ruler=10)
+                _, labels = self.run_tiles("killed.zarr", num_iterations=SLOW, ruler=10, effort=1, alpha=0.5)
             self.assertLess(calls.call_count, 16)
             np.testing.assert_array_equal(labels, expected)
 

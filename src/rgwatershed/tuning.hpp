@@ -10,8 +10,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-// Constants found on one half of the photographs of BSDS500's train split and checked on the other;
-// doc/log.md has the figures.
+// Constants found on one half of the photographs of BSDS500's train split and checked on the other, the last ones of
+// merging on all; doc/log.md has the figures.
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it
@@ -144,8 +144,8 @@ inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, con
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
-//! The smallest superpixels, below 6x6 pixels, are what the flood makes of one marker: merging would take most of the
-//! time, and they follow the image as they are.
+//! The smallest superpixels, below 6x6 pixels with effort 0 and 1, are what the flood makes of one marker: merging
+//! would take most of the time, and they follow the image as they are.
 inline int markersPerSuperpixel(double blocks_per_superpixel, double pixels_per_superpixel, const EffortRules& effort)
 {
     const int BLOCKS_FOR_MARKER = 5;

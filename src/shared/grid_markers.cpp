@@ -32,13 +32,13 @@ Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
         for (int x = window.x; x < window.br().x; x++)
         {
             const int64 dx = 2 * x - center2.x;
-            const int64 height = (int64(row[x]) << AWAY_BITS) + std::min(dx * dx + dy * dy, FARTHEST);
-            if (height > lowest)
+            const int64 key = (int64(row[x]) << AWAY_BITS) + std::min(dx * dx + dy * dy, FARTHEST);
+            if (key > lowest)
                 continue;
-            if (height < lowest ||
+            if (key < lowest ||
                 (symmetric && fromMiddle(gradient, Point(x, y)) < fromMiddle(gradient, best)))
                 best = Point(x, y);
-            lowest = height;
+            lowest = key;
         }
     }
     return best;

@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth.
 //! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
-//! or the same everywhere, leaves colour as it is beside the other terms of a height.
+//! or the same everywhere, leaves colour as it is beside the other terms of a priority.
 class RegionDistance
 {
 public:
@@ -54,14 +54,15 @@ public:
     }
 
     //! Colours say little about things whose depth is known: what is not a distance, as lightness and the textures of
-    //! blocks, counts as much as colour counts more than depth.
+    //! blocks, is weighed by how much more colour counts than depth, and is left out if it does not.
     int shareOfColor(int exponent) const
     {
         return with_depth ? exponent * (FULL_WEIGHT - beside_color) / FULL_WEIGHT : exponent;
     }
 
-    //! The textures of pixels say more: they count in full, unless depth counts more than twice as much as colour.
-    int shareOfTexture(int exponent) const
+    //! Differences of colour, and textures of pixels, say more: they count in full, unless depth counts more than twice
+    //! as much as colour.
+    int shareOfDetails(int exponent) const
     {
         return with_depth ? exponent * std::min(2 * color_share, int(FULL_WEIGHT)) / FULL_WEIGHT : exponent;
     }

@@ -198,9 +198,9 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       areas_and_contrast_(makePairs(rules.areas, rules.contrast)),
       length_and_lightness_(makePairs(-rules.length, -distance.shareOfColor(rules.lightness))),
       brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness),
-                                       distance.shareOfTexture(rules.chroma))),
-      texture_and_direction_(makePairs(-distance.shareOfTexture(rules.texture),
-                                       distance.shareOfTexture(rules.direction)))
+                                       distance.shareOfDetails(rules.chroma))),
+      texture_and_direction_(makePairs(-distance.shareOfDetails(rules.texture),
+                                       distance.shareOfDetails(rules.direction)))
 {
 }
 

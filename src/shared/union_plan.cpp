@@ -8,8 +8,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Divides the cells of a grid into tiles of nearly equal numbers of cells: bands of three rows (of four where three do
-//! not fit) are divided into pieces.
+//! Divides the cells of a grid into tiles of nearly equal numbers of cells: bands of three rows (of up to five where
+//! three do not divide them) are divided into pieces.
 class Tiling
 {
 public:

@@ -25,6 +25,9 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("output", help="labels to write: .zarr, or else a GeoTIFF")
     parser.add_argument("--region-size", type=int, default=20, metavar="N", help="side of a superpixel in pixels")
     parser.add_argument("--ruler", type=float, default=10, help="compactness; default %(default)s")
+    parser.add_argument("--effort", type=int, default=1, metavar="N",
+                        help="from 0, the fastest, to 3, the best; default %(default)s")
+    parser.add_argument("--alpha", type=float, default=0.5, help="weight of colour against depth; default %(default)s")
     parser.add_argument("--iterations", type=int, default=1, metavar="N")
     parser.add_argument("--bands", type=int, nargs="+", metavar="N", help="one or three bands, from 1 on")
     parser.add_argument("--value-range", type=float, nargs=2, metavar=("LOW", "HIGH"),
@@ -47,7 +50,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
             parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,
             value_range=parsed.value_range, depth_range=parsed.depth_range, num_iterations=parsed.iterations,
             tile_size=parsed.tile_size, scheduler=parsed.scheduler, workers=parsed.workers,
-            progress=not parsed.quiet, ruler=parsed.ruler)
+            progress=not parsed.quiet, ruler=parsed.ruler, effort=parsed.effort, alpha=parsed.alpha)
     except KeyboardInterrupt:
         print("gwatershed-tiles: stopped; the same command goes on from here", file=sys.stderr)
         return 130
