@@ -83,7 +83,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
                                 : num_superpixels;
-    sweeps_of_pixels = sweepsOfPixels(levels.side(top), double(frame.num_pixels) / num_regions);
+    sweeps_of_pixels = sweepsOfPixels(levels.side(top), double(frame.num_pixels) / num_regions, effort);
     const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
     most_area = frame.markers.empty() && !depth_adaptive ? MOST_AREA * pixels_in_blocks / num_superpixels
                                                          : double(INT_MAX);

@@ -173,10 +173,10 @@ inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_
 
 //! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level. So regions that are large enough for
 //! blocks of 4x4, but have smaller ones for a small ruler or a high effort, would be more compact than with these.
-inline int sweepsOfPixels(int side_of_blocks, double pixels_per_region)
+inline int sweepsOfPixels(int side_of_blocks, double pixels_per_region, const EffortRules& effort)
 {
-    const int ENOUGH = 12 * 16; // for blocks of 4x4
-    return side_of_blocks == 3 && pixels_per_region >= ENOUGH ? 2 : 1;
+    const double enough = std::min(effort.blocks_for_side * std::sqrt(pixels_per_region), 12.); // blocks of 4x4
+    return side_of_blocks == 3 && pixels_per_region >= 16 * enough ? 2 : 1;
 }
 
 //! With normals, depth is measured against planes, so both are trusted more beside colour.
