@@ -128,7 +128,7 @@ void bindParameters(SessionClass& to)
     bindEnd(to, "getNearDepth", &S::getNearDepth, "The depth that becomes 1.");
     bindEnd(to, "getFarDepth", &S::getFarDepth, "The depth that becomes 255.");
     bindRange(to, "value_range", "ValueRange", &S::setValueRange, "low_value", py::arg("high_value"),
-              "The values that become 0 and 255; both 0: by the type of the image.");
+              "The values that become 0 and 255; both 0: the usual range of the type, or that of the image.");
     bindEnd(to, "getLowValue", &S::getLowValue, "The value that becomes 0.");
     bindEnd(to, "getHighValue", &S::getHighValue, "The value that becomes 255.");
 }

@@ -15,6 +15,7 @@
 #include "split_list.hpp"
 #include "superpixel_metrics.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -32,7 +33,7 @@ static const char* const KEYS =
     "{z ignore_zero|     | label 0 of the ground truth means not labelled; such pixels do not count }"
     "{f focal      | 0   | focal length of the depth camera in pixels; 0: 0.8 of the longer side of the image }"
     "{k numbers    | 100,200,400,800,1600 | numbers of superpixels }"
-    "{m methods    |     | names of the methods to run, or their beginnings, separated by commas; empty: all }"
+    "{m methods    |     | names of methods to run, or beginnings of names, separated by commas; empty: all }"
     "{l limit      | 0   | number of images to use, the first ones by name; 0: all }"
     "{t threads    | 1   | number of threads }"
     "{o output     | benchmark.csv | file to write }";
@@ -44,6 +45,7 @@ struct Method
 {
     String name;
     bool takes_depth;
+    int merged_from; //!< so many superpixels, or 0
     Segmenter segment;
 };
 
@@ -72,7 +74,7 @@ struct Settings
 
 static Mat segmentByGWatershed(const Mat& image, const Mat& depth, int k, const Settings& settings)
 {
-    const int num_superpixels = std::max(settings.merged_from, k);
+    const int num_superpixels = settings.merged_from > 0 ? settings.merged_from : k;
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, image.channels(),
                                                                num_superpixels, settings.algorithm, settings.ruler);
     gws->setEffort(settings.effort);
@@ -174,7 +176,7 @@ static Mat segmentByScanSegment(const Mat& image, const Mat&, int k)
 
 static Method gwatershed(const String& name, const Settings& settings)
 {
-    const Method method = { name, true, [=](const Mat& image, const Mat& depth, int k)
+    const Method method = { name, true, settings.merged_from, [=](const Mat& image, const Mat& depth, int k)
     {
         return segmentByGWatershed(image, depth, k, settings);
     } };
@@ -183,7 +185,7 @@ static Method gwatershed(const String& name, const Settings& settings)
 
 static Method peer(const String& name, const Segmenter& segment)
 {
-    const Method method = { name, false, segment };
+    const Method method = { name, false, 0, segment };
     return method;
 }
 
@@ -215,12 +217,22 @@ static std::vector<Method> allMethods(float focal)
     return methods;
 }
 
-static bool isWanted(const String& name, const std::vector<String>& wanted)
+//! Those with one of the names, or else whose name begins with it. All, if there are no names.
+static std::vector<Method> chooseMethods(const std::vector<Method>& methods, const std::vector<String>& names)
 {
-    for (size_t i = 0; i < wanted.size(); i++)
-        if (name.compare(0, wanted[i].size(), wanted[i]) == 0)
-            return true;
-    return wanted.empty();
+    std::vector<Method> chosen;
+    for (const Method& method : methods)
+    {
+        const auto matches = [&](const String& name)
+        {
+            const auto is_it = [&](const Method& other) { return other.name == name; };
+            return std::any_of(methods.begin(), methods.end(), is_it) ? is_it(method)
+                                                                      : method.name.compare(0, name.size(), name) == 0;
+        };
+        if (names.empty() || std::any_of(names.begin(), names.end(), matches))
+            chosen.push_back(method);
+    }
+    return chosen;
 }
 
 static void addTruth(const String& file, Example& example)
@@ -366,7 +378,6 @@ static int run(int argc, char** argv)
     const String image_dir = parser.get<String>("images"), truth_dir = parser.get<String>("truth");
     const String depth_dir = parser.get<String>("depth"), output = parser.get<String>("output");
     const std::vector<String> texts = splitList(parser.get<String>("numbers"));
-    const std::vector<String> wanted = splitList(parser.get<String>("methods"));
     const bool ignore_zero = parser.has("ignore_zero");
     const int limit = parser.get<int>("limit"), threads = parser.get<int>("threads");
     const float focal = parser.get<float>("focal");
@@ -377,39 +388,38 @@ static int run(int argc, char** argv)
         return parser.has("help") ? 0 : 2;
     }
     const std::vector<Example> examples = readExamples(image_dir, truth_dir, depth_dir, size_t(std::max(0, limit)));
-    std::ofstream out(output.c_str());
-    if (examples.empty() || !out)
+    const std::vector<Method> methods = chooseMethods(allMethods(focal), splitList(parser.get<String>("methods")));
+    if (examples.empty() || methods.empty())
     {
-        std::cerr << (examples.empty() ? "No image with ground truth in " + image_dir : "Cannot write " + output)
+        std::cerr << (examples.empty() ? "No image with ground truth in " + image_dir : "No method has such a name")
                   << std::endl;
         return 1;
     }
     const std::vector<int> numbers = readNumbers(texts, examples);
+    std::ofstream out(output.c_str()); // now, so that wrong arguments leave the table of another run as it is
     setNumThreads(threads);
 
     out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
     std::cout << format("%-46s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
                         "CO", "N", "pieces", "ms");
-    const std::vector<Method> methods = allMethods(focal);
     Progress progress;
-    int rows = 0;
     for (size_t i = 0; i < methods.size(); i++)
         for (int with_depth = 0; with_depth <= (methods[i].takes_depth && !depth_dir.empty() ? 1 : 0); with_depth++)
-            for (size_t j = 0; j < numbers.size() && isWanted(methods[i].name, wanted); j++)
+            for (int k : numbers)
             {
-                const int k = numbers[j];
+                if (methods[i].merged_from > 0 && k >= methods[i].merged_from)
+                    continue; // nothing to merge
                 const String name = methods[i].name + (with_depth ? " with depth" : "");
                 const metrics::Scores s = runMethod(methods[i], name, with_depth != 0, k, examples, ignore_zero, out,
                                                     progress);
-                rows++;
                 std::cout << format("%-46s %6d %8.4f %8.4f %8.4f %8.4f %8.4f %8.1f %8.1f %9.2f\n", name.c_str(), k,
                                     s.recall, s.ue, s.asa, s.ev, s.co, s.superpixels, s.components, s.milliseconds)
                           << std::flush;
             }
     out.flush();
-    if (rows == 0 || !out)
+    if (!out)
     {
-        std::cerr << (rows == 0 ? "No method has such a name" : "Cannot write " + output) << std::endl;
+        std::cerr << "Cannot write " << output << std::endl;
         return 1;
     }
     return 0;

@@ -102,6 +102,12 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
               << "  " << prefix << "_contours.png, " << prefix << "_mean.png, " << labels_name << std::endl;
 }
 
+static bool isNumber(const String& text)
+{
+    const size_t MOST_DIGITS = 9;
+    return !text.empty() && text.size() <= MOST_DIGITS && text.find_first_not_of("0123456789") == String::npos;
+}
+
 //! Frames of a camera or a video, or of two folders, or one image again and again.
 class Source
 {
@@ -123,7 +129,7 @@ public:
         else if (name == "openni2" || name == "realsense")
             openDepthCamera(name == "openni2");
         else
-            name.size() == 1 ? camera_.open(name[0] - '0') : camera_.open(name);
+            isNumber(name) ? camera_.open(std::stoi(name)) : camera_.open(name);
     }
 
     bool isOpened() const { return camera_.isOpened() || !colors_.empty() || !image_.empty(); }
@@ -235,6 +241,12 @@ int main(int argc, char** argv)
     if (!parser.check())
     {
         parser.printErrors();
+        return 2;
+    }
+
+    if (!output.empty() && image_file.empty())
+    {
+        std::cerr << "-o needs an image, -i" << std::endl;
         return 2;
     }
 

@@ -151,7 +151,7 @@ static Mat drawSteps(const Mat& image, const Steps& steps, const Rect& part)
     return strip;
 }
 
-int main(int argc, char** argv)
+static int run(int argc, char** argv)
 {
     CommandLineParser parser(argc, argv, KEYS);
     parser.about("Draws the steps of RGWATERSHED.");
@@ -186,4 +186,17 @@ int main(int argc, char** argv)
     }
     std::cout << num_superpixels << " superpixels, " << output << std::endl;
     return 0;
+}
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        return run(argc, argv);
+    }
+    catch (const cv::Exception& e)
+    {
+        std::cerr << e.what() << std::endl;
+        return 1;
+    }
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-//! The parts of an argument between commas, empty ones too.
+//! The parts of an argument between commas; empty ones, too, but not one at the end.
 inline std::vector<cv::String> splitList(const cv::String& list)
 {
     std::vector<cv::String> parts;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_SUPERPIXEL_METRICS_HPP
 #define OPENCV_GWATERSHED_SUPERPIXEL_METRICS_HPP
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -20,8 +21,8 @@ namespace metrics
 //! What a segmentation is measured by; means over the ground truths of an image.
 struct Scores
 {
-    double recall = 0;       //!< boundary recall, equation (5) of the paper
-    double ue = 0;           //!< undersegmentation error, equation (6), min form
+    double recall = 0;       //!< boundary recall, equation (5) of Jiang et al., 2015
+    double ue = 0;           //!< undersegmentation error, equation (6) there, min form
     double asa = 0;          //!< achievable segmentation accuracy
     double ev = 0;           //!< explained variation
     double co = 0;           //!< compactness

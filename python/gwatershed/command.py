@@ -95,9 +95,10 @@ def read_depth(name: str) -> Any:
 def write(name: Path, picture: Any) -> None:
     """Labels of more than 16 bits fit TIFF and NumPy only; Pillow cuts them off without a word elsewhere."""
     from PIL import Image
-    if picture.dtype == np.int32 and name.suffix.lower() not in (".npy", ".tif", ".tiff"):
+    suffix = name.suffix.lower()
+    if picture.dtype == np.int32 and suffix not in (".npy", ".tif", ".tiff"):
         raise ValueError("labels above 65535 need a .tiff or .npy file")
-    if name.suffix == ".npy":
+    if suffix == ".npy":
         np.save(name, picture)
     else:
         Image.fromarray(picture).save(name)

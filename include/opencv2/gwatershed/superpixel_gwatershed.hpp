@@ -204,17 +204,18 @@ public:
         \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
         (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
         \max(1, (n_a + n_b) / u)^{32} @f]
-    d is the Euclidean distance of mean colours and depths (beside depth, its exponent is 0.88), c the sum of absolute
-    differences of the two channels beside lightness, n are pixels, l is the common boundary in pixel edges, h the mean
-    over it of such a sum of all channels. L are the mean lightnesses, also of both, 0 to 255. Texture is t = x + y, r
-    = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right of and below them in a superpixel of
-    iterate(), summed over every second row, divided by n. g is the slope, the same of lightness, with signs; q =
-    max(0, t - |g|_1 - 2.5), roughness, is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a,
-    q_b))^2). u is 2.9 times the mean n of what is left, whose number keeps its three highest bits. Distances are in
-    8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true);
-    alpha weighs depth. Beside it, L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t and r count in full
-    from alpha 0.33 (0.5) on, and not at all at 0. e is 1.5. A plan divides the image into tiles of ten superpixels,
-    and these into halves, to single ones; between halves e is 3/16 and s is 0, so that even images become a grid.
+    d is the Euclidean distance of mean colours and depths (beside depth, its exponent is 0.88; with surfaces, depth is
+    that of a centre from the other plane, the smaller one, and normals count), c the sum of absolute differences of the
+    two channels beside lightness, n are pixels, l is the common boundary in pixel edges, h the mean over it of such a
+    sum of all channels (with surfaces of the colours). L are the mean lightnesses, also of both, 0 to 255. Texture is
+    t = x + y, r = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right and below (in superpixels
+    of iterate()), over every second row, divided by n. g is the slope, the same of lightness, with signs; q = max(0,
+    t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). u is 2.9
+    times the mean n left, whose number keeps its three highest bits. Distances are in 8-bit levels of the opponent
+    space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true); alpha weighs depth. Beside it,
+    L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t and r count in full from alpha 0.33 (0.5) on, and
+    not at all at 0. e is 1.5. A plan divides the image into tiles of ten superpixels, and these into halves, to single
+    ones; between halves e is 3/16 and s is 0, so that even images become a grid.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
@@ -355,8 +356,7 @@ public:
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
-    With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2; a frame after a change starts from the
-    beginning if the size of the blocks changes. With user markers effort has no effect. */
+    With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2. User markers leave effort no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
@@ -395,7 +395,7 @@ public:
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
-    of these frames has user markers; and, for RGWATERSHED, if a change of the ruler changes the size of the blocks.
+    of these frames has user markers; and, for RGWATERSHED, if a new ruler or effort changes the size of the blocks.
     @note mergeSimilar(), mergeSmall() and enforceLabelConnectivity() renumber the labels of one frame only. The next
     frame continues from the result of iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
@@ -425,13 +425,13 @@ public:
     @param near_depth Depth that becomes 1, in the unit of the depth map. Nearer depth becomes 1, too.
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth, finite; or
     both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its valid depths (of a
-    sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes seven
-    eighths of that range, because a part of the frame is far behind all else, or holds a value that means "no depth",
-    the gap gets fewer levels, so that depths on both sides of it are still told apart. CV_8UC1 depth is taken as it is
-    if both are 0. For a video set a range.
+    sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes 7/8 of that
+    range, as where a part of the frame is far behind all else or holds a value that means "no depth", it gets fewer
+    levels, and depths on both sides are told apart. CV_8UC1 is taken as it is if both are 0. For a video set a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is then the
-    nearest thousandth of the depths, not the hundredth, but at most a quarter of the range nearer; near_depth is at
-    least half of that. Differences below 1/2500 of the inverse near end do not count. CV_64FC1 is read as CV_32FC1. */
+    nearest thousandth of the depths, not the hundredth, but at most a quarter of the range nearer; a near_depth
+    below half of that counts as half of it. Differences below 1/2500 of the inverse near end do not count. CV_64FC1 is
+    read as CV_32FC1. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
@@ -481,7 +481,7 @@ public:
 
     RGWATERSHED ignores it.
     @param border_threshold A pixel with this gradient or a larger one takes no part in the flood and joins a neighbour
-    after it. The gradient is the magnitude of the 3x3 Sobel derivatives, 0 to 1141, as for cv::Canny with L2gradient,
+    after it. The gradient is the magnitude of the 3x3 Sobel derivatives, 0 to 1140, as for cv::Canny with L2gradient,
     of the grey value 0.114 B + 0.587 G + 0.299 R of the channels in this order, whatever they are: at 150, an edge of
     blue alone is none. With depth it is weighted by alpha. 0 or more, finite; 0 means no borders. Default 150: without
     them the flood crosses strong edges early, while pixels of lower priority wait, and misses half of them. */
