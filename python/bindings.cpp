@@ -15,6 +15,7 @@
 #include <opencv2/core/utility.hpp>
 #include <pybind11/stl.h>
 
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -265,6 +266,8 @@ void bindParametersAsAWhole(SessionClass& to)
         });
     }, "The name of the class in files of parameters.");
     to.def("save", [](Session& session, const std::string& filename) {
+        if (!std::ofstream(filename, std::ios::app))
+            throw py::value_error("filename must name a file that can be written, not " + filename);
         session.call([&](SuperpixelGWatershed& superpixels) { superpixels.save(filename); });
     }, py::arg("filename"), "Writes the parameters to a file.");
     to.def("write", &Session::write, "The parameters as text.");

@@ -3,6 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 """The command gwatershed: superpixels of images in files."""
 import argparse
+import os
 import sys
 import time
 from pathlib import Path
@@ -18,7 +19,7 @@ EXAMPLES = """examples:
   gwatershed image.jpg -o labels.tiff --show labels --depth depth.png --number 400
   gwatershed photographs/*.jpg -o folder
 
-The exit code is 0, 1 if a file could not be read, segmented or written, or 2 for wrong arguments."""
+The exit code is 0, 1 if a file could not be read, segmented or written, or 2 if an argument is unknown or no number."""
 RED = (255, 0, 0)
 
 
@@ -75,29 +76,45 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 
 def read_image(name: str) -> Any:
+    """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off."""
     from PIL import Image
+    Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
     with Image.open(name) as image:
-        return np.asarray(image.convert("RGB"))
+        return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
 
 
 def read_depth(name: str) -> Any:
-    """Pillow has 16 bits of some files as 32."""
     from PIL import Image
     with Image.open(name) as image:
-        depth = np.asarray(image)
-    if depth.dtype.kind in "iu" and depth.dtype.itemsize > 2:
-        if depth.min() < 0 or depth.max() > 65535:
-            raise ValueError("depth must fit 16 bits")
-        return depth.astype(np.uint16)
-    return depth
+        return fit_16_bits(np.asarray(image), "depth")
+
+
+def fit_16_bits(values: Any, name: str) -> Any:
+    """Pillow has 16 bits of some files as 32."""
+    if values.dtype.kind in "iu" and values.dtype.itemsize > 2:
+        if values.min() < 0 or values.max() > 65535:
+            raise ValueError(name + " must fit 16 bits")
+        return values.astype(np.uint16)
+    return values
+
+
+def displayed(image: Any) -> Any:
+    """An image in three channels of 8 bits, from the lowest to the highest value where it has others."""
+    if image.dtype == np.uint8:
+        return image
+    values = np.nan_to_num(image.astype(np.float64), posinf=0, neginf=0)
+    low, high = values.min(), values.max()
+    gray = ((values - low) * (255 / max(high - low, np.finfo(float).tiny))).round().astype(np.uint8)
+    return np.repeat(gray[:, :, np.newaxis], 3, axis=2)
 
 
 def write(name: Path, picture: Any) -> None:
-    """Labels of more than 16 bits fit TIFF and NumPy only; Pillow cuts them off without a word elsewhere."""
+    """Labels go to what keeps them: Pillow would cut them off without a word elsewhere."""
     from PIL import Image
     suffix = name.suffix.lower()
-    if picture.dtype == np.int32 and suffix not in (".npy", ".tif", ".tiff"):
-        raise ValueError("labels above 65535 need a .tiff or .npy file")
+    kept_by = {2: (".npy", ".tif", ".tiff", ".png"), 4: (".npy", ".tif", ".tiff")}.get(picture.dtype.itemsize)
+    if kept_by and suffix not in kept_by:
+        raise ValueError("labels up to %d need a file of one of the kinds %s" % (picture.max(), " ".join(kept_by)))
     if suffix == ".npy":
         np.save(name, picture)
     else:
@@ -115,6 +132,10 @@ def output_of(name: str, arguments: argparse.Namespace) -> Path:
 
 def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     """Segments one file; returns the number of superpixels and the milliseconds that it took."""
+    output = output_of(name, arguments)
+    inputs = [Path(file) for file in (name, arguments.depth) if file and os.path.exists(file)]
+    if output.exists() and any(output.samefile(file) for file in inputs):
+        raise ValueError("output must be another file than the image and its depth")
     image = read_image(name)
     depth = read_depth(arguments.depth) if arguments.depth else None
     size = {"num_superpixels": arguments.number} if arguments.number is not None else {
@@ -123,7 +144,7 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
                      effort=arguments.effort, alpha=arguments.alpha, **size)
     milliseconds = 1000 * (time.perf_counter() - start)
-    write(output_of(name, arguments), PICTURES[arguments.show](image, labels))
+    write(output, PICTURES[arguments.show](displayed(image), labels))
     return int(labels.max()) + 1, milliseconds
 
 
@@ -138,7 +159,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
     for number, name in enumerate(parsed.images, 1):
         try:
             count, milliseconds = process(name, parsed)
-        except (OSError, ValueError, MemoryError) as error:
+        except (OSError, ValueError, TypeError, SyntaxError, MemoryError) as error:
             print("gwatershed: %s: %s" % (name, error), file=sys.stderr)
             failed += 1
             continue

@@ -40,6 +40,8 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
     gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth), num_iterations)
     labels = gws.getLabels()
     if start_label:
+        if not -2**31 <= start_label <= 2**31 - 1 - labels.max():
+            raise ValueError("start_label must be a number from which all labels fit 32 bits, not %d" % start_label)
         labels += np.int32(start_label)
     return labels
 
@@ -104,9 +106,11 @@ def _compact(labels: Any, start_label: int) -> Any:
     number = last - start_label + 1
     if number <= labels.size:  # nearly all occur
         outside = labels < start_label
-        numbers = (labels - labels.dtype.type(start_label)).astype(np.int32)
+        wide = labels if labels.dtype.itemsize == 8 else labels.astype(np.int64)
+        numbers = (wide - wide.dtype.type(start_label)).astype(np.int32)
         numbers[outside] = -1
-        return np.arange(start_label, last + 1).astype(labels.dtype), numbers
+        names = np.arange(number, dtype=wide.dtype) + wide.dtype.type(start_label)
+        return names.astype(labels.dtype), numbers
     names, inverse = np.unique(labels, return_inverse=True)
     first = int(np.searchsorted(names, start_label))
     numbers = np.maximum(inverse.reshape(labels.shape) - first, -1).astype(np.int32)

@@ -187,6 +187,14 @@ class ObjectTest(unittest.TestCase):
         twin.setRuler(1)
         self.assertNotEqual(twin.write(), gws.write())
 
+    def test_refuses_what_it_cannot_write_to(self):
+        gws = gwatershed.SuperpixelGWatershed(region_size=8)
+        with self.assertRaisesRegex(ValueError, "filename"):
+            gws.save("/no/such/folder/parameters.yml")
+        gws.iterate(make_image())
+        with self.assertRaisesRegex(ValueError, "byte order"):
+            gws.getLabels(np.zeros((96, 128), np.dtype(np.int32).newbyteorder()))
+
     def test_saved_parameters(self):
         gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)
         with tempfile.TemporaryDirectory() as folder:
@@ -395,6 +403,22 @@ class FunctionsTest(unittest.TestCase):
         np.testing.assert_allclose([p.mean_intensity for p in properties], table["mean_color"], rtol=1e-5)
 
 
+class NarrowLabelsTest(unittest.TestCase):
+
+    def test_labels_of_few_bits_that_begin_below_0(self):
+        for dtype, first in ((np.int8, -100), (np.int16, -32768), (np.uint8, -1), (np.uint64, 2 ** 63)):
+            last = min(first + 200, np.iinfo(dtype).max)
+            start = max(first, 0) if np.dtype(dtype).kind == "u" else first
+            labels = np.arange(start, last + 1, dtype=dtype).reshape(1, -1).repeat(3, axis=0)
+            table = gwatershed.superpixels(labels, start_label=first)
+            np.testing.assert_array_equal(table["label"], labels[0])
+            self.assertTrue((table["area"] == 3).all())
+
+    def test_labels_fit_32_bits(self):
+        with self.assertRaisesRegex(ValueError, "start_label"):
+            gwatershed.segment(make_image(), start_label=2 ** 31 - 1)
+
+
 @needs("PIL")
 class CommandTest(unittest.TestCase):
 
@@ -449,6 +473,28 @@ class CommandTest(unittest.TestCase):
                                            self.path("results"))
         self.assertEqual((code, output), (0, ""))
 
+    def test_more_than_8_bits(self):
+        from PIL import Image
+        gray = self.image.mean(axis=2).round().astype(np.uint8)
+        expected = gwatershed.segment(gray, 12)
+        for name, values in (("word.png", gray.astype(np.uint16) * 257), ("float.tiff", gray.astype(np.float32) / 255)):
+            Image.fromarray(values).save(self.path(name))
+            self.assertEqual(self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s",
+                                              "12")[0], 0)
+            np.testing.assert_array_equal(np.load(self.path("out.npy")), expected)
+            self.run_command(self.path(name), "-o", self.path("mean.png"), "--show", "mean")
+            self.assertEqual(self.read("mean.png").shape, self.image.shape)
+
+    def test_inputs_and_labels_are_kept(self):
+        before = self.read("image.png")
+        for output in (self.path("image.png"), self.folder.name):
+            code, _, errors = self.run_command(self.path("image.png"), "-o", output)
+            self.assertEqual(code, 1)
+            self.assertIn("another file", errors)
+        np.testing.assert_array_equal(self.read("image.png"), before)
+        for name in ("labels.gif", "labels.webp"):
+            self.assertEqual(self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels")[0], 1)
+
     def test_labels_of_more_than_16_bits(self):
         from PIL import Image
         Image.fromarray(np.zeros((260, 260, 3), np.uint8)).save(self.path("large.png"))
@@ -459,7 +505,7 @@ class CommandTest(unittest.TestCase):
             self.assertEqual(len(np.unique(labels)), 260 * 260)
         code, _, errors = self.run_command(*many, self.path("many.png"))
         self.assertEqual(code, 1)
-        self.assertIn("65535", errors)
+        self.assertIn(".tiff", errors)
         self.assertFalse(os.path.exists(self.path("many.png")))
         os.mkdir(self.path("folder"))
         self.assertEqual(self.run_command(*many, self.path("folder"))[0], 0)

@@ -10,6 +10,7 @@ import contextlib
 import importlib.util
 import io
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -139,6 +140,40 @@ class ResultTest(TilesCase):
             _, labels = self.run_tiles(tile_size=640, start_label=start, num_iterations=2, ruler=5)
             plain = gwatershed.segment(self.image, 10, start_label=start, num_iterations=2, ruler=5)
             np.testing.assert_array_equal(labels, plain)
+
+    def test_depth_that_is_missing_or_infinite(self):
+        depth = np.where(np.arange(610) // 20 % 2, 800, 830) * np.ones((500, 1), int)
+        for dtype, missing in ((np.uint16, 65535), (np.uint16, 0), (np.int16, -16), (np.float32, -1)):
+            holes = depth.astype(dtype)
+            holes[:, ::25] = missing
+            _, labels = self.run_with_depth(holes)
+            edges = (depth[:, 1:] != depth[:, :-1]) & (holes[:, 1:] != missing) & (holes[:, :-1] != missing)
+            found = (labels[:, 1:] != labels[:, :-1])[edges].mean()
+            self.assertGreater(found, 0.9, (dtype, missing))
+        far = np.where(np.arange(610) < 333, 2, np.inf).astype(np.float32) * np.ones((500, 1), np.float32)
+        far[:, :100] += 0.02
+        _, labels = self.run_with_depth(far)
+        self.assertGreater((labels[:, 332] != labels[:, 333]).mean(), 0.95)
+
+    def run_with_depth(self, depth):
+        self.write_zarr("depth.zarr", depth)
+        self.write_zarr("flat.zarr", np.full(depth.shape, 90, np.uint8))
+        return self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"))
+
+    def test_wrong_arguments_leave_nothing(self):
+        for wrong in ({"effort": 9}, {"ruler": -1}, {"rulr": 5}, {"region_size": 0}, {"num_iterations": 0},
+                      {"value_range": (5, 5)}, {"depth_range": (5, 1)}):
+            with self.assertRaises((ValueError, TypeError), msg=wrong):
+                self.run_tiles(**wrong)
+            self.assertFalse(os.path.exists(self.path("labels.zarr.part")), wrong)
+
+    def test_numbers_of_numpy_and_paths(self):
+        number, expected = self.run_tiles(ruler=5, bands=(1, 2, 3), value_range=(0, 255))
+        shutil.rmtree(self.path("labels.zarr"))
+        self.assertEqual(number, segment_file(
+            pathlib.Path(self.path("image.zarr")), pathlib.Path(self.path("labels.zarr")), np.int64(10),
+            tile_size=np.int64(160), ruler=np.float32(5), bands=np.array([1, 2, 3]), value_range=np.array([0, 255])))
+        np.testing.assert_array_equal(zarr.open(self.path("labels.zarr"), mode="r")[:], expected)
 
     def test_depth_with_a_range_of_the_whole_image(self):
         depth = np.where(np.arange(610) < 333, 1000, 3000).astype(np.uint16) * np.ones((500, 1), np.uint16)

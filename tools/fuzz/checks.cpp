@@ -349,7 +349,7 @@ static Means measureMeans(const Partition& partition, const Mat& values, int cha
         {
             const int label = partition.labels.at<int>(y, x);
             const double value = values.ptr<double>(y, x)[channel];
-            if (label < 0 || !(std::abs(value) <= DBL_MAX) || (valid_only && !(value > 0 && value <= FLT_MAX)))
+            if (label < 0 || !(std::abs(value) <= DBL_MAX) || (valid_only && !(value <= FLT_MAX && float(value) > 0)))
                 continue;
             m.means[label] += value;
             m.magnitudes[label] += std::abs(value);

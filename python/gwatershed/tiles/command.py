@@ -14,8 +14,8 @@ EXAMPLES = """examples:
   gwatershed-tiles orthophoto.tif labels.tif --region-size 20
   gwatershed-tiles slide.zarr labels.zarr --region-size 30 --scheduler tcp://head:8786
 
-After it was stopped, the same command goes on where it was. The exit code is 0, 1 for an error, 2 for wrong
-arguments, or 130 if it was stopped by Ctrl-C."""
+After it was stopped, the same command goes on where it was. The exit code is 0, 1 for an error, 2 if an
+argument is unknown or no number, or 130 if it was stopped by Ctrl-C."""
 
 
 def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
@@ -54,7 +54,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
     except KeyboardInterrupt:
         print("gwatershed-tiles: stopped; the same command goes on from here", file=sys.stderr)
         return 130
-    except (OSError, ValueError, RuntimeError, MemoryError, ImportError) as error:
+    except (OSError, ValueError, TypeError, RuntimeError, MemoryError, ImportError) as error:
         print("gwatershed-tiles: %s" % error, file=sys.stderr)
         return 1
     if not parsed.quiet:

@@ -44,8 +44,10 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     What is done is kept beside the output, in the folder output + ".part", until all is done: the same call goes on
     from there. It takes 8 bytes for each pixel, compressed.
     """
+    image, output = os.fspath(image), os.fspath(output)
+    _check(parameters, region_size, num_iterations, value_range, depth_range)
     source = Source.open(image, None if bands is None else tuple(bands))
-    depths = None if depth is None else Source.open(depth, single=True)
+    depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
     if os.path.abspath(output) in (source.name, depths and depths.name):
@@ -53,12 +55,14 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     if not may_be_replaced(output):
         raise ValueError("output must not be a folder that is there and no array of Zarr, as %s is" % output)
     if depths is not None and depth_range is None:
-        depth_range = depths.range()
+        depth_range = depths.range(of_depth=True)
     if depth_range is not None:
         parameters["depth_range"] = tuple(depth_range)
     parameters.update(region_size=region_size, num_iterations=num_iterations)
     tiling = Tiling.of(source.height, source.width, tile_size, region_size)
-    job = Job(source, depths, value_range or source.range(), tiling, parameters, os.path.abspath(output) + ".part")
+    if value_range is None:
+        value_range = source.range()
+    job = Job(source, depths, value_range, tiling, parameters, os.path.abspath(output) + ".part")
     _begin(job)
     with _scheduler(scheduler, workers, progress) as compute:
         counts = _do_tiles(job, compute)
@@ -68,11 +72,25 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     return sum(counts)
 
 
+def _check(parameters: Any, region_size: int, num_iterations: int, value_range: Any, depth_range: Any) -> None:
+    """Refuses what would be refused at the first tile, when there is a store already."""
+    ranges = {name: tuple(of) for name, of in (("value_range", value_range), ("depth_range", depth_range))
+              if of is not None}
+    gwatershed.SuperpixelGWatershed(region_size=region_size, **ranges, **parameters)
+    if num_iterations < 1:
+        raise ValueError("num_iterations must be 1 or more, not %s" % num_iterations)
+
+
+def _plain(value: Any) -> Any:
+    """What JSON does not know: numbers and arrays of NumPy, and parts of a job."""
+    return value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value.__dict__
+
+
 def _begin(job: Job) -> None:
     """Makes the store, or takes up one of the same job."""
     import zarr
     kept = os.path.join(job.store, "job.json")
-    description = json.loads(json.dumps(job.__dict__, default=lambda value: value.__dict__))
+    description = json.loads(json.dumps(job.__dict__, default=_plain))
     if os.path.exists(kept):
         with open(kept) as file:
             if json.load(file) != description:

@@ -46,10 +46,18 @@ class Source:
 
     def read(self, window: Window) -> Any:
         """height x width, or height x width x 3; and whether a pixel is valid."""
-        pixels, valid = (self._read_zarr if is_zarr(self.name) else self._read_raster)(window)
+        pixels, valid = self._read(window)
         if pixels.dtype.kind == "f":
             valid = valid & np.isfinite(pixels if pixels.ndim == 2 else pixels.sum(axis=2))
         return pixels, valid
+
+    def read_depth(self, window: Window) -> Any:
+        """Depth, 0 where the file has none. What is infinite stays so: it is far."""
+        depth, known = self._read(window)
+        return np.where(known, depth, 0).astype(depth.dtype)
+
+    def _read(self, window: Window) -> Any:
+        return (self._read_zarr if is_zarr(self.name) else self._read_raster)(window)
 
     def _read_zarr(self, window: Window) -> Any:
         import zarr
@@ -81,12 +89,15 @@ class Source:
                 return {"crs": crs, "gcps": points}
             return {"crs": file.crs} if file.transform.is_identity else {"crs": file.crs, "transform": file.transform}
 
-    def range(self) -> Optional[Tuple[float, float]]:
-        """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are."""
+    def range(self, of_depth: bool = False) -> Optional[Tuple[float, float]]:
+        """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are. Of
+        depth, what is missing does not count: 0 and below, and 65535 in 16 bits."""
         if self.read(Window(0, 0, 1, 1))[0].dtype == np.uint8:
             return None
         step = -(-self.height // SAMPLED_ROWS)
         samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
+        if of_depth:
+            samples = samples[(samples > 0) & ((samples != 65535) | (samples.dtype != np.uint16))]
         if samples.size == 0:
             return None
         low, high = (float(p) for p in np.percentile(samples.astype(np.float64), (1, 99)))
@@ -112,9 +123,10 @@ def _raster_shape(name: str) -> Tuple[int, int, int]:
 
 def _zarr_shape(name: str) -> Tuple[int, int, int]:
     import zarr
-    shape = zarr.open(name, mode="r").shape
+    shape = getattr(zarr.open(name, mode="r"), "shape", ())
     if len(shape) not in (2, 3):
-        raise ValueError("%s must be height x width, or height x width x bands, not %s" % (name, shape))
+        raise ValueError("%s must be an array, height x width or height x width x bands, not %s" %
+                         (name, shape or "a group"))
     return shape[0], shape[1], shape[2] if len(shape) == 3 else 1
 
 

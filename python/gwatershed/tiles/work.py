@@ -63,10 +63,7 @@ def do_tile(job: Job, tile: int, *waited_for: Any) -> int:
 def _segment(job: Job, window: Any, pixels: Any, free: Any) -> Any:
     if not free.any():
         return np.full(free.shape, -1, np.int32)
-    depth = None
-    if job.depth is not None:
-        depth, known = job.depth.read(window)
-        depth = np.where(known, depth, 0).astype(depth.dtype)
+    depth = None if job.depth is None else job.depth.read_depth(window)
     gwatershed.setNumThreads(1)  # the workers share the processors
     return gwatershed.segment(to_8_bits(pixels, job.value_range), depth=depth, mask=free, **job.parameters)
 
