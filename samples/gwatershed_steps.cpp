@@ -151,7 +151,7 @@ static Mat drawSteps(const Mat& image, const Steps& steps, const Rect& part)
     return strip;
 }
 
-static int run(int argc, char** argv)
+int main(int argc, char** argv)
 {
     CommandLineParser parser(argc, argv, KEYS);
     parser.about("Draws the steps of RGWATERSHED.");
@@ -179,24 +179,11 @@ static int run(int argc, char** argv)
         return 1;
     }
     const std::vector<int> quality = { IMWRITE_JPEG_QUALITY, 75 }; // no effect on .png
-    if (!imwrite(output, drawSteps(image, runSteps(image, num_superpixels), part), quality))
+    if (!haveImageWriter(output) || !imwrite(output, drawSteps(image, runSteps(image, num_superpixels), part), quality))
     {
         std::cerr << "Cannot write " << output << std::endl;
         return 1;
     }
     std::cout << num_superpixels << " superpixels, " << output << std::endl;
     return 0;
-}
-
-int main(int argc, char** argv)
-{
-    try
-    {
-        return run(argc, argv);
-    }
-    catch (const cv::Exception& e)
-    {
-        std::cerr << e.what() << std::endl;
-        return 1;
-    }
 }

@@ -418,24 +418,19 @@ bool findNormals(const Camera& camera, const Mat& inverses, Size blocks, Mat& ra
 
 } // namespace
 
-//! A range that the user has set begins at half of the nearest depths of the frame at least: levels are those of
+//! @note A range that the user has set begins at half of the nearest depths of the frame at least: levels are those of
 //! inverse depth, of which a near end that is much nearer than all depths would leave hardly any.
-static FloatRange withLevels(FloatRange range, const Mat& depth)
-{
-    range.first = std::max(range.first, std::min(findSpan(depth).range.first, range.last) / 2);
-    return range;
-}
-
 void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuffers& buffers, Mat& nearness,
                  Mat& normals)
 {
     CV_TRACE_FUNCTION();
     nearness = normals = Mat();
-    DepthSpan span = { FloatRange(), false };
+    DepthSpan span = findSpan(depth);
     if (range.last > 0)
-        span.range = withLevels(range, depth);
-    else
-        span = findSpan(depth);
+    {
+        range.first = std::max(range.first, std::min(span.range.first, range.last) / 2);
+        span = { range, false };
+    }
     if (span.range.last <= 0)
         return;
     const float first = std::max(span.range.first, span.range.last <= FLT_MAX ? span.range.last / 256 : 0);

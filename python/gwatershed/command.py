@@ -23,19 +23,29 @@ The exit code is 0, 1 if a file could not be read, segmented or written, or 2 if
 RED = (255, 0, 0)
 
 
+def displayed(image: Any) -> Any:
+    """An image in three channels of 8 bits, from the lowest to the highest value where it has others."""
+    if image.dtype == np.uint8:
+        return image
+    values = np.nan_to_num(image.astype(np.float64), posinf=0, neginf=0)
+    low, high = values.min(), values.max()
+    gray = ((values - low) * (255 / max(high - low, np.finfo(float).tiny))).round().astype(np.uint8)
+    return np.repeat(gray[:, :, np.newaxis], 3, axis=2)
+
+
 def contours(image: Any, labels: Any) -> Any:
     """The image with a red line of one pixel where the label changes."""
     line = np.zeros(labels.shape, bool)
     line[:, :-1] |= labels[:, :-1] != labels[:, 1:]
     line[:-1] |= labels[:-1] != labels[1:]
-    picture = image.copy()
+    picture = displayed(image).copy()
     picture[line] = RED
     return picture
 
 
 def mean_colors(image: Any, labels: Any) -> Any:
     """Each pixel with the mean colour of its superpixel."""
-    return superpixels(labels, image)["mean_color"].round().astype(np.uint8)[labels]
+    return superpixels(labels, displayed(image))["mean_color"].round().astype(np.uint8)[labels]
 
 
 def smallest_labels(_: Any, labels: Any) -> Any:
@@ -98,16 +108,6 @@ def fit_16_bits(values: Any, name: str) -> Any:
     return values
 
 
-def displayed(image: Any) -> Any:
-    """An image in three channels of 8 bits, from the lowest to the highest value where it has others."""
-    if image.dtype == np.uint8:
-        return image
-    values = np.nan_to_num(image.astype(np.float64), posinf=0, neginf=0)
-    low, high = values.min(), values.max()
-    gray = ((values - low) * (255 / max(high - low, np.finfo(float).tiny))).round().astype(np.uint8)
-    return np.repeat(gray[:, :, np.newaxis], 3, axis=2)
-
-
 def write(name: Path, picture: Any) -> None:
     """Labels go to what keeps them: Pillow would cut them off without a word elsewhere."""
     from PIL import Image
@@ -144,7 +144,7 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
                      effort=arguments.effort, alpha=arguments.alpha, **size)
     milliseconds = 1000 * (time.perf_counter() - start)
-    write(output, PICTURES[arguments.show](displayed(image), labels))
+    write(output, PICTURES[arguments.show](image, labels))
     return int(labels.max()) + 1, milliseconds
 
 

@@ -61,7 +61,7 @@ public:
     }
 
     //! Differences of colour, and textures of pixels, say more: they count in full, unless depth counts more than twice
-    //! as much as colour.
+    //! as much as colour. Where it does, shareOfColor() has left the textures of blocks out already.
     int shareOfDetails(int exponent) const
     {
         return with_depth ? exponent * std::min(2 * color_share, int(FULL_WEIGHT)) / FULL_WEIGHT : exponent;

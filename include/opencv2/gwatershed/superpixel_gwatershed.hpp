@@ -356,7 +356,8 @@ public:
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
     Time is relative. UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split.
-    With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2. User markers leave effort no effect. */
+    With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no
+    effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
@@ -428,10 +429,9 @@ public:
     sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes 7/8 of that
     range, as where a part of the frame is far behind all else or holds a value that means "no depth", it gets fewer
     levels, and depths on both sides are told apart. CV_8UC1 is taken as it is if both are 0. For a video set a range.
-    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is then the
-    nearest thousandth of the depths, not the hundredth, but at most a quarter of the range nearer; a near_depth
-    below half of that counts as half of it. Differences below 1/2500 of the inverse near end do not count. CV_64FC1 is
-    read as CV_32FC1. */
+    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is the nearest
+    thousandth, not the hundredth, but at most a quarter of the range nearer; a near_depth below half of that counts as
+    half of it. Differences below 1/2500 of the inverse near end do not count. CV_64FC1 is read as CV_32FC1. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
