@@ -80,16 +80,16 @@ static py::array convertIntegers(const py::array& values, const char* type, int 
     return py::array(values.attr("astype")(type));
 }
 
-//! Integers that a matrix cannot have become double, which must hold them.
-static py::array narrow(const py::array& values, const char* name)
+//! As double, which must hold them.
+static py::array toDouble(const py::array& values, const char* name)
 {
-    const bool is_too_wide = isInteger(values) && depthOf(values.dtype()) < 0;
-    return is_too_wide ? convertIntegers(values, "float64", 53, name) : values;
+    return isInteger(values) ? convertIntegers(values, "float64", 53, name) : py::array(values.attr("astype")("float64"));
 }
 
 static Pixels takeValues(py::array values, const char* name)
 {
-    values = narrow(values, name);
+    if (isInteger(values) && depthOf(values.dtype()) < 0)
+        values = toDouble(values, name);
     const int depth = depthOf(values.dtype());
     if (depth < 0)
         throw py::value_error(std::string(name) + " must not be of the type " + textOf(values.dtype()));
@@ -112,6 +112,16 @@ Pixels takePixels(const Array& array, const char* name)
 Pixels takePixels(const OptionalArray& array, const char* name)
 {
     return array.values.is_none() ? Pixels() : takeValues(array.values, name);
+}
+
+Pixels takeDepth(const OptionalArray& array)
+{
+    if (array.values.is_none())
+        return Pixels();
+    const py::array values = array.values;
+    const int depth = depthOf(values.dtype());
+    const bool is_other = depth == CV_32S || depth == CV_16F;
+    return takeValues(is_other ? toDouble(values, "depth") : values, "depth");
 }
 
 Pixels takeMask(const OptionalArray& array)

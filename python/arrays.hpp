@@ -37,6 +37,8 @@ struct Pixels
 Pixels takePixels(const Array& array, const char* name);
 //! The same; None is an empty matrix.
 Pixels takePixels(const OptionalArray& array, const char* name);
+//! The same; int32 and float16, which no matrix of depth has, become double.
+Pixels takeDepth(const OptionalArray& array);
 //! The same; bool is taken, too.
 Pixels takeMask(const OptionalArray& array);
 //! The same; integers of any type become int32. Throws ValueError where they do not fit.

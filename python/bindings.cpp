@@ -73,7 +73,7 @@ SessionPtr createForImage(const Array& image, int algorithm, OptionalInt region_
 SessionPtr createForDepth(const Array& image, const OptionalArray& depth, OptionalInt algorithm,
                           OptionalInt region_size, OptionalFloat ruler, OptionalFloat alpha)
 {
-    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const Pixels pixels = takePixels(image, "image"), depths = takeDepth(depth);
     const int method = algorithm.value_or(cv::ximgproc::RGWATERSHED);
     const int size = region_size.value_or(default_region_size);
     return makeSession([&] {
@@ -105,7 +105,7 @@ void iterateDepth(Session& session, const Array& image, const OptionalArray& dep
 {
     if (depth.values.is_none())
         return iterateImage(session, image, num_iterations);
-    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const Pixels pixels = takePixels(image, "image"), depths = takeDepth(depth);
     session.call([&](SuperpixelGWatershed& superpixels) {
         superpixels.iterate(pixels.matrix, depths.matrix, num_iterations.value_or(1));
     });
@@ -142,7 +142,7 @@ py::tuple getStatistics(Session& session, const OptionalArray& image, const Opti
                         const py::object& stats, const py::object& centroids, const py::object& mean_colors,
                         const py::object& mean_depths, const py::object& positions, const py::object& normals)
 {
-    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const Pixels pixels = takePixels(image, "image"), depths = takeDepth(depth);
     Mat tables[] = {takeOutput(stats, "stats"), takeOutput(centroids, "centroids"),
                     takeOutput(mean_colors, "mean_colors"), takeOutput(mean_depths, "mean_depths"),
                     takeOutput(positions, "positions"), takeOutput(normals, "normals")};
@@ -158,7 +158,7 @@ py::tuple getStatistics(Session& session, const OptionalArray& image, const Opti
 py::tuple getAdjacency(Session& session, const OptionalArray& image, const OptionalArray& depth,
                        const py::object& pairs, const py::object& lengths, const py::object& contrasts)
 {
-    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const Pixels pixels = takePixels(image, "image"), depths = takeDepth(depth);
     Mat tables[] = {takeOutput(pairs, "pairs"), takeOutput(lengths, "lengths"), takeOutput(contrasts, "contrasts")};
     session.call([&](SuperpixelGWatershed& superpixels) {
         superpixels.getAdjacency(pixels.matrix, depths.matrix, tables[0], tables[1], tables[2]);
@@ -186,7 +186,7 @@ py::tuple measure(const Array& labels, int num_labels, const OptionalArray& imag
 {
     namespace gws = cv::ximgproc::gws;
     const Pixels map = takePixels(labels, "labels");
-    const Pixels pixels = takePixels(image, "image"), depths = takePixels(depth, "depth");
+    const Pixels pixels = takePixels(image, "image"), depths = takeDepth(depth);
     gws::Statistics tables;
     {
         py::gil_scoped_release released;
@@ -271,10 +271,13 @@ void bindParametersAsAWhole(SessionClass& to)
         session.call([&](SuperpixelGWatershed& superpixels) { superpixels.save(filename); });
     }, py::arg("filename"), "Writes the parameters to a file.");
     to.def("write", &Session::write, "The parameters as text.");
-    to.def("read", &Session::read, py::arg("parameters"), "Takes the parameters from what write() gave.");
-    to.def("__reduce__", [](Session& session) {
+    to.def("read", &Session::read, py::arg("parameters"),
+           "Takes the parameters from what write() gave, or from the text of a file of save().");
+    to.def("__reduce__", [](const py::object& session) {
         const py::object restore = py::module_::import("gwatershed.parameters").attr("restore");
-        return py::make_tuple(restore, py::make_tuple(session.write()));
+        const std::string parameters = session.cast<Session&>().write();
+        return py::make_tuple(restore, py::make_tuple(py::type::of(session), parameters),
+                              py::getattr(session, "__dict__", py::none()));
     });
 }
 

@@ -19,8 +19,11 @@ std::string Session::write()
 void Session::read(const std::string& parameters)
 {
     call([&](SuperpixelGWatershed& superpixels) {
+        if (parameters.empty())
+            CV_Error(cv::Error::StsBadArg, "parameters must not be empty");
         const cv::FileStorage storage(parameters, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-        superpixels.read(storage.root());
+        const cv::FileNode saved = storage[superpixels.getDefaultName()];
+        superpixels.read(saved.empty() ? storage.root() : saved);
     });
 }
 

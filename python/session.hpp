@@ -33,6 +33,7 @@ public:
 
     //! The parameters as text, for pickle.
     std::string write();
+    //! From that text, or from that of a file of save().
     void read(const std::string& parameters);
 
 private:

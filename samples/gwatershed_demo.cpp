@@ -62,6 +62,12 @@ static Mat drawLabels(const SuperpixelGWatershed& gws)
     return hue;
 }
 
+static void writePicture(const String& name, const Mat& picture)
+{
+    if (!imwrite(name, picture))
+        CV_Error(Error::StsError, "cannot write " + name);
+}
+
 //! 16-bit PNG, or 32-bit TIFF where there are too many labels for that.
 static String writeLabels(const String& prefix, const SuperpixelGWatershed& gws)
 {
@@ -71,7 +77,7 @@ static String writeLabels(const String& prefix, const SuperpixelGWatershed& gws)
     if (fits)
         labels.convertTo(labels, CV_16U);
     const String name = prefix + (fits ? "_labels.png" : "_labels.tiff");
-    CV_Assert(imwrite(name, labels));
+    writePicture(name, labels);
     return name;
 }
 
@@ -93,8 +99,8 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
     }
     std::nth_element(times.begin(), times.begin() + 4, times.end());
 
-    CV_Assert(imwrite(prefix + "_contours.png", drawContours(image, gws)));
-    CV_Assert(imwrite(prefix + "_mean.png", drawMeans(image, gws)));
+    writePicture(prefix + "_contours.png", drawContours(image, gws));
+    writePicture(prefix + "_mean.png", drawMeans(image, gws));
     const String labels_name = writeLabels(prefix, gws);
     std::cout << image.cols << "x" << image.rows << (depth.empty() ? "" : " with depth") << ": "
               << gws.getNumberOfSuperpixels() << " superpixels in " << cvRound(times[4] * 100) / 100.

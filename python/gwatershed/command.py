@@ -86,10 +86,12 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 
 def read_image(name: str) -> Any:
-    """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off."""
-    from PIL import Image
+    """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off. As cv2.imread() does, it
+    turns what the camera says is turned."""
+    from PIL import Image, ImageOps
     Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
-    with Image.open(name) as image:
+    with Image.open(name) as file:
+        image = ImageOps.exif_transpose(file)
         return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
 
 

@@ -2,6 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """Functions in the manner of scikit-image: an image in, labels out."""
+import operator
 from typing import Any, Optional, Tuple
 
 import numpy as np
@@ -18,7 +19,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         channels are RGB, as scikit-image, Pillow and imageio read them; see bgr.
     region_size: side of a superpixel in pixels, 10 if neither this nor num_superpixels is given; as many as fit.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
-    depth: depth map of the same size, uint16, int16, float or uint8. 0, what is below, NaN and 65535 of uint16 are
+    depth: depth map of the same size, floats or integers but int8. 0, what is below, NaN and 65535 of uint16 are
         missing; infinity is far.
     mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
     markers: integers, positive ones are markers that superpixels grow from.
@@ -34,6 +35,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         parameters["region_size"] = region_size
     if num_superpixels is not None:
         parameters["num_superpixels"] = num_superpixels
+    start_label = operator.index(start_label)
     gws = SuperpixelGWatershed(**parameters)
     gws.setMask(_inside(mask))
     gws.setMarkers(_optional(markers))
@@ -61,7 +63,7 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     focal_length also position, the mean point in space (x to the right, y down, z forward from the camera, in the unit
     of depth), and normal (x, y, z, of length 1, towards the camera), NaN where there is nothing to take them from.
     """
-    labels = np.asarray(labels)
+    labels, start_label = np.asarray(labels), operator.index(start_label)
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)

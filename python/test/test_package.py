@@ -4,12 +4,10 @@
 # of this distribution and at http://opencv.org/license.html.
 """What the package gwatershed has beside the interface of cv2.ximgproc, which misc/python/test tests.
 
-Parts that need scikit-image, Pillow or mypy are skipped where these are not installed.
+Parts that need scikit-image or mypy are skipped where these are not installed.
 """
-import contextlib
 import copy
 import importlib.util
-import io
 import os
 import pickle
 import subprocess
@@ -22,7 +20,6 @@ import unittest
 import numpy as np
 
 import gwatershed
-from gwatershed import command
 
 
 def needs(name):
@@ -33,6 +30,13 @@ def make_image(height=96, width=128):
     y, x = np.mgrid[0:height, 0:width]
     image = np.stack([x * 255 // width, y * 255 // height, 128 + 60 * np.sin(x / 5.0 + y / 7.0)], axis=-1)
     return image.astype(np.uint8)
+
+
+class Named(gwatershed.SuperpixelGWatershed):
+
+    def __init__(self, name):
+        super().__init__()
+        self.name = name
 
 
 def class_labels(image, *arguments, **parameters):
@@ -181,6 +185,12 @@ class ObjectTest(unittest.TestCase):
         self.assert_copy(gws, copy.copy(gws))
         self.assert_copy(gws, copy.deepcopy(gws))
 
+    def test_copies_of_a_derived_class(self):
+        gws = Named("a")
+        gws.setRuler(3)
+        for twin in (copy.copy(gws), copy.deepcopy(gws), pickle.loads(pickle.dumps(gws))):
+            self.assertEqual((type(twin), twin.name, twin.getRuler()), (Named, "a", 3))
+
     def assert_copy(self, gws, twin):
         self.assertEqual(twin.write(), gws.write())
         self.assertTrue(twin.empty())
@@ -205,8 +215,20 @@ class ObjectTest(unittest.TestCase):
         twin = gwatershed.SuperpixelGWatershed()
         before = twin.write()
         self.assertRaises(ValueError, twin.read, "{}")
+        self.assertRaisesRegex(ValueError, "parameters must", twin.read, "")
         self.assertRaises(ValueError, twin.read, before.replace('"alpha"', '"beta"'))
         self.assertEqual(twin.write(), before)
+        for kind in ("yml", "xml", "json"):
+            text = self.text_of_saved(gws, "parameters." + kind)
+            twin = gwatershed.SuperpixelGWatershed()
+            twin.read(text)
+            self.assertEqual(twin.write(), gws.write())
+
+    def text_of_saved(self, gws, name):
+        with tempfile.TemporaryDirectory() as folder:
+            gws.save(os.path.join(folder, name))
+            with open(os.path.join(folder, name)) as file:
+                return file.read()
 
     def test_none_is_no_depth(self):
         image = make_image()
@@ -294,6 +316,15 @@ class FunctionsTest(unittest.TestCase):
         self.assertRaises(ValueError, gwatershed.segment, image, 12, num_superpixels=33)
         self.assertRaises(ValueError, gwatershed.segment, None)
         self.assertRaises(TypeError, gwatershed.segment, image, regionsize=12)
+
+    def test_depth_of_any_numbers(self):
+        image = make_image()
+        depth = np.where(np.arange(128) < 50, 1000, 2000) * np.ones((96, 1), int)
+        depth[:, ::7] = 0
+        expected = gwatershed.segment(image, 12, depth=depth.astype(np.float64))
+        for dtype in (np.int32, np.int64, np.uint32, np.float16, np.float32, np.uint16):
+            np.testing.assert_array_equal(gwatershed.segment(image, 12, depth=depth.astype(dtype)), expected)
+        self.assertRaisesRegex(ValueError, "depth must", gwatershed.segment, image, depth=depth.astype(np.int8))
 
     def test_segment_with_depth_mask_and_markers(self):
         image = np.full((60, 80, 3), 90, np.uint8)
@@ -418,113 +449,12 @@ class NarrowLabelsTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "start_label"):
             gwatershed.segment(make_image(), start_label=2 ** 31 - 1)
 
-
-@needs("PIL")
-class CommandTest(unittest.TestCase):
-
-    def setUp(self):
-        from PIL import Image
-        self.image = make_image()
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        Image.fromarray(self.image).save(self.path("image.png"))
-        Image.fromarray(self.image[::-1]).save(self.path("other.png"))
-        self.depth = np.where(np.arange(128) < 50, 1000, 3000).astype(np.uint16) * np.ones((96, 1), np.uint16)
-        Image.fromarray(self.depth).save(self.path("depth.png"))
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def read(self, name):
-        from PIL import Image
-        return np.asarray(Image.open(self.path(name)))
-
-    def run_command(self, *arguments):
-        output, errors = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-            try:
-                code = command.main(list(arguments))
-            except SystemExit as ended:
-                code = ended.code
-        return code, output.getvalue(), errors.getvalue()
-
-    def test_pictures(self):
-        code, output, _ = self.run_command(self.path("image.png"), "-o", self.path("out.png"), "--number", "40")
-        self.assertEqual(code, 0)
-        self.assertRegex(output, r"^1/1 .*image.png: 40 superpixels, \d+ ms\n$")
-        self.assertTrue((self.read("out.png") == (255, 0, 0)).all(axis=2).any())
-        for name in ("labels.png", "labels.tiff", "labels.npy"):
-            self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels", "-s", "12",
-                             "-d", self.path("depth.png"))
-            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
-            expected = gwatershed.segment(self.image, 12, depth=self.depth)
-            np.testing.assert_array_equal(labels, expected)
-        self.run_command(self.path("image.png"), "-o", self.path("mean.png"), "--show", "mean")
-        np.testing.assert_allclose(self.read("mean.png").mean(axis=(0, 1)), self.image.mean(axis=(0, 1)), atol=1)
-
-    def test_many_files(self):
-        code, output, errors = self.run_command(self.path("image.png"), self.path("none.png"), self.path("other.png"),
-                                                "-o", self.path("results"))
-        self.assertEqual(code, 1)
-        self.assertEqual(sorted(os.listdir(self.path("results"))), ["image.png", "other.png"])
-        self.assertEqual(output.count("\n"), 2)
-        self.assertIn("none.png", errors)
-        code, output, _ = self.run_command(self.path("image.png"), self.path("other.png"), "-q", "-o",
-                                           self.path("results"))
-        self.assertEqual((code, output), (0, ""))
-
-    def test_more_than_8_bits(self):
-        from PIL import Image
-        gray = self.image.mean(axis=2).round().astype(np.uint8)
-        expected = gwatershed.segment(gray, 12)
-        for name, values in (("word.png", gray.astype(np.uint16) * 257), ("float.tiff", gray.astype(np.float32) / 255)):
-            Image.fromarray(values).save(self.path(name))
-            self.assertEqual(self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s",
-                                              "12")[0], 0)
-            np.testing.assert_array_equal(np.load(self.path("out.npy")), expected)
-            self.run_command(self.path(name), "-o", self.path("mean.png"), "--show", "mean")
-            self.assertEqual(self.read("mean.png").shape, self.image.shape)
-
-    def test_inputs_and_labels_are_kept(self):
-        before = self.read("image.png")
-        for output in (self.path("image.png"), self.folder.name):
-            code, _, errors = self.run_command(self.path("image.png"), "-o", output)
-            self.assertEqual(code, 1)
-            self.assertIn("another file", errors)
-        np.testing.assert_array_equal(self.read("image.png"), before)
-        for name in ("labels.gif", "labels.webp"):
-            self.assertEqual(self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels")[0], 1)
-
-    def test_labels_of_more_than_16_bits(self):
-        from PIL import Image
-        Image.fromarray(np.zeros((260, 260, 3), np.uint8)).save(self.path("large.png"))
-        many = (self.path("large.png"), "--show", "labels", "-s", "1", "-o")
-        for name in ("many.tiff", "many.npy"):
-            self.assertEqual(self.run_command(*many, self.path(name))[0], 0)
-            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
-            self.assertEqual(len(np.unique(labels)), 260 * 260)
-        code, _, errors = self.run_command(*many, self.path("many.png"))
-        self.assertEqual(code, 1)
-        self.assertIn(".tiff", errors)
-        self.assertFalse(os.path.exists(self.path("many.png")))
-        os.mkdir(self.path("folder"))
-        self.assertEqual(self.run_command(*many, self.path("folder"))[0], 0)
-        self.assertEqual(len(np.unique(self.read(os.path.join("folder", "large.tiff")))), 260 * 260)
-
-    def test_wrong_arguments(self):
-        image = self.path("image.png")
-        for wrong in ([], [image], [image, "-o", "x.png", "-k", "many"], [image, "-o", "x.png", "-k", "3", "-s", "3"],
-                      [image, image, "-o", "x"], [image, self.path("other.png"), "-o", "x", "-d", image]):
-            self.assertEqual(self.run_command(*wrong)[0], 2, wrong)
-        for wrong in (["-k", "0"], ["-r", "-1"], ["-n", "0"], ["-d", self.path("other.png")]):
-            code, _, errors = self.run_command(image, "-o", self.path("x.png"), *wrong)
-            self.assertEqual(code, 1, wrong)
-            self.assertIn("must be", errors)
-        self.assertEqual(self.run_command("--help")[0], 0)
-
-    def test_as_a_module(self):
-        call = [sys.executable, "-m", "gwatershed", self.path("none.png"), "-o", self.path("x.png")]
-        self.assertEqual(subprocess.run(call, stderr=subprocess.DEVNULL, check=False).returncode, 1)
+    def test_labels_begin_with_an_integer(self):
+        for begin in (1.5, 1.0, "1"):
+            self.assertRaises(TypeError, gwatershed.segment, make_image(), start_label=begin)
+            self.assertRaises(TypeError, gwatershed.superpixels, np.ones((4, 5), int), start_label=begin)
+        labels = gwatershed.segment(make_image(), start_label=np.int64(1))
+        self.assertEqual((labels.dtype, labels.min()), (np.int32, 1))
 
 
 class StubsTest(unittest.TestCase):

@@ -161,8 +161,10 @@ class ResultTest(TilesCase):
         return self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"))
 
     def test_wrong_arguments_leave_nothing(self):
+        self.write_zarr("complex.zarr", self.image[:, :, 0] * 1j)
         for wrong in ({"effort": 9}, {"ruler": -1}, {"rulr": 5}, {"region_size": 0}, {"num_iterations": 0},
-                      {"value_range": (5, 5)}, {"depth_range": (5, 1)}):
+                      {"value_range": (5, 5)}, {"depth_range": (5, 1)}, {"workers": 0}, {"start_label": 1.5},
+                      {"image": "complex.zarr", "value_range": (0, 1)}):
             with self.assertRaises((ValueError, TypeError), msg=wrong):
                 self.run_tiles(**wrong)
             self.assertFalse(os.path.exists(self.path("labels.zarr.part")), wrong)
@@ -200,10 +202,13 @@ class ResultTest(TilesCase):
     def test_leaves_alone_what_is_not_its_own(self):
         kept = self.path("folder")
         os.mkdir(kept)
-        for output in (kept, self.path("image.zarr")):
+        with open(self.path("file.zarr"), "w"):
+            pass
+        for output in (kept, self.path("image.zarr"), self.path("file.zarr")):
             with self.assertRaisesRegex(ValueError, "output must"):
                 self.run_tiles(output)
-            self.assertTrue(os.path.isdir(output))
+            self.assertTrue(os.path.exists(output))
+            self.assertFalse(os.path.exists(output + ".part"))
         gwatershed.setNumThreads(2)
         for scheduler in ("threads", "single-threaded"):
             self.run_tiles(scheduler=scheduler, tile_size=640)
@@ -382,6 +387,15 @@ class GeoTiffTest(TilesCase):
         self.assertEqual([(p.row, p.col, p.x, p.y) for p in kept], [(p.row, p.col, p.x, p.y) for p in points])
         self.assertEqual(crs.to_epsg(), 4326)
 
+    def test_refuses_colours_by_number(self):
+        import rasterio
+        with rasterio.open(self.path("palette.tif"), "w", driver="GTiff", height=500, width=610, count=1, dtype="uint8",
+                           photometric="palette") as file:
+            file.write_colormap(1, {0: (255, 0, 0), 1: (0, 0, 255)})
+            file.write(self.image[:, :, :1].transpose(2, 0, 1))
+        with self.assertRaisesRegex(ValueError, "palette.tif has colours by number"):
+            self.run_tiles("labels.tif", "palette.tif")
+
     def test_command(self):
         self.write_tiff("image.tif", self.image.transpose(2, 0, 1))
         output, errors = io.StringIO(), io.StringIO()
@@ -390,8 +404,10 @@ class GeoTiffTest(TilesCase):
             self.assertEqual(command.main(call + ["--workers", "2"]), 0)
             self.assertEqual(command.main(call + ["--tile-size", "10"]), 1)
             self.assertEqual(command.main([self.path("none.tif"), self.path("labels.tif")]), 1)
+            self.assertEqual(command.main([self.path("none.zarr"), self.path("labels.tif")]), 1)
         self.assertRegex(output.getvalue(), r"Completed[\s\S]*\d+ superpixels\n$")
-        self.assertIn("tile_size must be", errors.getvalue())
+        for text in ("tile_size must be", "none.tif", "none.zarr"):
+            self.assertIn(text, errors.getvalue())
         for image, labels in (("image.zarr", "plain.tif"), ("plain.tif", "again.tif")):  # without a georeference
             run = subprocess.run([sys.executable, "-m", "gwatershed.tiles.command", self.path(image), self.path(labels),
                                   "--quiet"], stderr=subprocess.PIPE, check=True)

@@ -3,6 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 """A run over all tiles: by Dask, resumable after it was stopped."""
 import json
+import operator
 import os
 import shutil
 from contextlib import contextmanager, nullcontext
@@ -24,7 +25,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
                  progress: bool = False, **parameters: Any) -> int:
     """Segments an image file of any size into a file of labels, int64, and returns the number of superpixels N.
 
-    image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands.
+    image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands. Complex
+        numbers and palettes are refused.
     output: .zarr, or else a GeoTIFF with the georeference of the image. Labels are start_label .. start_label + N - 1,
         and start_label - 1 where the image has no data.
     region_size: side of a superpixel in pixels.
@@ -45,7 +47,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     from there. It takes 8 bytes for each pixel, compressed.
     """
     image, output = os.fspath(image), os.fspath(output)
-    _check(parameters, region_size, num_iterations, value_range, depth_range)
+    _check(parameters, region_size, num_iterations, value_range, depth_range, workers)
+    start_label = operator.index(start_label)
     source = Source.open(image, None if bands is None else tuple(bands))
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
@@ -53,7 +56,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
     if not may_be_replaced(output):
-        raise ValueError("output must not be a folder that is there and no array of Zarr, as %s is" % output)
+        raise ValueError("output must not be there as anything but an array of Zarr, or a file of another name, as %s"
+                         " is" % output)
     if depths is not None and depth_range is None:
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
@@ -72,13 +76,16 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     return sum(counts)
 
 
-def _check(parameters: Any, region_size: int, num_iterations: int, value_range: Any, depth_range: Any) -> None:
+def _check(parameters: Any, region_size: int, num_iterations: int, value_range: Any, depth_range: Any,
+           workers: Optional[int]) -> None:
     """Refuses what would be refused at the first tile, when there is a store already."""
     ranges = {name: tuple(of) for name, of in (("value_range", value_range), ("depth_range", depth_range))
               if of is not None}
     gwatershed.SuperpixelGWatershed(region_size=region_size, **ranges, **parameters)
     if num_iterations < 1:
         raise ValueError("num_iterations must be 1 or more, not %s" % num_iterations)
+    if workers is not None and workers < 1:
+        raise ValueError("workers must be 1 or more, not %s" % workers)
 
 
 def _plain(value: Any) -> Any:

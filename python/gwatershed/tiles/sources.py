@@ -2,6 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """Images and depth maps in files, read window by window."""
+import errno
 import os
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
@@ -19,8 +20,9 @@ def is_zarr(name: str) -> bool:
 
 
 def may_be_replaced(name: str) -> bool:
-    """Whether it is no folder, or no other one than that of an array."""
-    return not os.path.isdir(name) or any(os.path.exists(os.path.join(name, part)) for part in (".zarray", "zarr.json"))
+    """Whether nothing is there, or what would be written: an array of Zarr, or a file of another name."""
+    return (not (is_zarr(name) and os.path.exists(name)) or
+            any(os.path.exists(os.path.join(name, part)) for part in (".zarray", "zarr.json")))
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,17 @@ class Source:
             raise ValueError("bands must be one or three of the %d of %s, not %s" % (count, name, list(bands)))
         name = name if "://" in name else os.path.abspath(name)
         modified = os.stat(name).st_mtime_ns if os.path.exists(name) else 0
-        return Source(name, tuple(bands), height, width, modified)
+        source = Source(name, tuple(bands), height, width, modified)
+        source._check_values()
+        return source
+
+    def _check_values(self) -> None:
+        """What is read must be numbers whose order says something."""
+        kind = self._read(Window(0, 0, 1, 1))[0].dtype
+        if kind.kind not in "biuf":
+            raise ValueError("%s must have numbers that are not %s" % (self.name, kind))
+        if not is_zarr(self.name) and _has_palette(self.name, self.bands):
+            raise ValueError("%s has colours by number: turn them to red, green and blue first" % self.name)
 
     def read(self, window: Window) -> Any:
         """height x width, or height x width x 3; and whether a pixel is valid."""
@@ -121,8 +133,17 @@ def _raster_shape(name: str) -> Tuple[int, int, int]:
         return file.height, file.width, file.count
 
 
+def _has_palette(name: str, bands: Tuple[int, ...]) -> bool:
+    import rasterio
+    from rasterio.enums import ColorInterp
+    with rasterio.open(name) as file:
+        return any(file.colorinterp[band - 1] == ColorInterp.palette for band in bands)
+
+
 def _zarr_shape(name: str) -> Tuple[int, int, int]:
     import zarr
+    if "://" not in name and not os.path.exists(name):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
     shape = getattr(zarr.open(name, mode="r"), "shape", ())
     if len(shape) not in (2, 3):
         raise ValueError("%s must be an array, height x width or height x width x bands, not %s" %

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""The command gwatershed. It is skipped where Pillow is not installed."""
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from test_package import make_image, needs
+
+import gwatershed
+from gwatershed import command
+
+
+@needs("PIL")
+class CommandTest(unittest.TestCase):
+
+    def setUp(self):
+        from PIL import Image
+        self.image = make_image()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        Image.fromarray(self.image).save(self.path("image.png"))
+        Image.fromarray(self.image[::-1]).save(self.path("other.png"))
+        self.depth = np.where(np.arange(128) < 50, 1000, 3000).astype(np.uint16) * np.ones((96, 1), np.uint16)
+        Image.fromarray(self.depth).save(self.path("depth.png"))
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def read(self, name):
+        from PIL import Image
+        return np.asarray(Image.open(self.path(name)))
+
+    def run_command(self, *arguments):
+        output, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            try:
+                code = command.main(list(arguments))
+            except SystemExit as ended:
+                code = ended.code
+        return code, output.getvalue(), errors.getvalue()
+
+    def test_pictures(self):
+        code, output, _ = self.run_command(self.path("image.png"), "-o", self.path("out.png"), "--number", "40")
+        self.assertEqual(code, 0)
+        self.assertRegex(output, r"^1/1 .*image.png: 40 superpixels, \d+ ms\n$")
+        self.assertTrue((self.read("out.png") == (255, 0, 0)).all(axis=2).any())
+        for name in ("labels.png", "labels.tiff", "labels.npy"):
+            self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels", "-s", "12",
+                             "-d", self.path("depth.png"))
+            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
+            expected = gwatershed.segment(self.image, 12, depth=self.depth)
+            np.testing.assert_array_equal(labels, expected)
+        self.run_command(self.path("image.png"), "-o", self.path("mean.png"), "--show", "mean")
+        np.testing.assert_allclose(self.read("mean.png").mean(axis=(0, 1)), self.image.mean(axis=(0, 1)), atol=1)
+
+    def test_many_files(self):
+        code, output, errors = self.run_command(self.path("image.png"), self.path("none.png"), self.path("other.png"),
+                                                "-o", self.path("results"))
+        self.assertEqual(code, 1)
+        self.assertEqual(sorted(os.listdir(self.path("results"))), ["image.png", "other.png"])
+        self.assertEqual(output.count("\n"), 2)
+        self.assertIn("none.png", errors)
+        code, output, _ = self.run_command(self.path("image.png"), self.path("other.png"), "-q", "-o",
+                                           self.path("results"))
+        self.assertEqual((code, output), (0, ""))
+
+    def test_more_than_8_bits(self):
+        from PIL import Image
+        gray = self.image.mean(axis=2).round().astype(np.uint8)
+        expected = gwatershed.segment(gray, 12)
+        for name, values in (("word.png", gray.astype(np.uint16) * 257), ("float.tiff", gray.astype(np.float32) / 255)):
+            Image.fromarray(values).save(self.path(name))
+            self.assertEqual(self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s",
+                                              "12")[0], 0)
+            np.testing.assert_array_equal(np.load(self.path("out.npy")), expected)
+            self.run_command(self.path(name), "-o", self.path("mean.png"), "--show", "mean")
+            self.assertEqual(self.read("mean.png").shape, self.image.shape)
+
+    def test_photographs_of_a_turned_camera(self):
+        from PIL import Image
+        turned = Image.Exif()
+        turned[0x0112] = 6  # the camera says: turn it to the right
+        Image.fromarray(np.rot90(self.image)).save(self.path("turned.png"), exif=turned)
+        self.run_command(self.path("turned.png"), "-o", self.path("out.npy"), "--show", "labels", "-s", "12")
+        np.testing.assert_array_equal(np.load(self.path("out.npy")), gwatershed.segment(self.image, 12))
+
+    def test_inputs_and_labels_are_kept(self):
+        before = self.read("image.png")
+        for output in (self.path("image.png"), self.folder.name):
+            code, _, errors = self.run_command(self.path("image.png"), "-o", output)
+            self.assertEqual(code, 1)
+            self.assertIn("another file", errors)
+        np.testing.assert_array_equal(self.read("image.png"), before)
+        for name in ("labels.gif", "labels.webp"):
+            self.assertEqual(self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels")[0], 1)
+
+    def test_labels_of_more_than_16_bits(self):
+        from PIL import Image
+        Image.fromarray(np.zeros((260, 260, 3), np.uint8)).save(self.path("large.png"))
+        many = (self.path("large.png"), "--show", "labels", "-s", "1", "-o")
+        for name in ("many.tiff", "many.npy"):
+            self.assertEqual(self.run_command(*many, self.path(name))[0], 0)
+            labels = np.load(self.path(name)) if name.endswith("npy") else self.read(name)
+            self.assertEqual(len(np.unique(labels)), 260 * 260)
+        code, _, errors = self.run_command(*many, self.path("many.png"))
+        self.assertEqual(code, 1)
+        self.assertIn(".tiff", errors)
+        self.assertFalse(os.path.exists(self.path("many.png")))
+        os.mkdir(self.path("folder"))
+        self.assertEqual(self.run_command(*many, self.path("folder"))[0], 0)
+        self.assertEqual(len(np.unique(self.read(os.path.join("folder", "large.tiff")))), 260 * 260)
+
+    def test_wrong_arguments(self):
+        image = self.path("image.png")
+        for wrong in ([], [image], [image, "-o", "x.png", "-k", "many"], [image, "-o", "x.png", "-k", "3", "-s", "3"],
+                      [image, image, "-o", "x"], [image, self.path("other.png"), "-o", "x", "-d", image]):
+            self.assertEqual(self.run_command(*wrong)[0], 2, wrong)
+        for wrong in (["-k", "0"], ["-r", "-1"], ["-n", "0"], ["-d", self.path("other.png")]):
+            code, _, errors = self.run_command(image, "-o", self.path("x.png"), *wrong)
+            self.assertEqual(code, 1, wrong)
+            self.assertIn("must be", errors)
+        self.assertEqual(self.run_command("--help")[0], 0)
+
+    def test_as_a_module(self):
+        call = [sys.executable, "-m", "gwatershed", self.path("none.png"), "-o", self.path("x.png")]
+        self.assertEqual(subprocess.run(call, stderr=subprocess.DEVNULL, check=False).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
