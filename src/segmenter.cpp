@@ -57,6 +57,7 @@ void Segmenter::segment(const Mat& image, const Mat& depth, const Mat& markers, 
     const Last last = last_;
     last_ = Last();
     result.start(image.size(), parameters, mask);
+    result.parameters.lab_input &= image.channels() != 2; // none of two is lightness
     const Rect bounds = result.bounds;
     const Mat depth_inside = depth.empty() ? Mat() : depth(bounds);
     const bool adapts_to_depth = parameters.depth_adaptive && markers.empty() && usesSurfaces(depth_inside, parameters);

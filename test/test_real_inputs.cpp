@@ -311,6 +311,25 @@ TEST_P(ximgproc_GWatershed_real_inputs, two_channels_count_alike)
     }
 }
 
+TEST_P(ximgproc_GWatershed_real_inputs, two_channels_are_never_lightness_and_color)
+{
+    Mat image(60, 95, CV_8UC2);
+    theRNG().fill(image, RNG::UNIFORM, 0, 256);
+    GaussianBlur(image, image, Size(), 3);
+    Mat labels[2], merged[2];
+    for (int lab_input = 0; lab_input < 2; lab_input++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 5);
+        gws->setLabInput(lab_input != 0);
+        gws->iterate();
+        labels[lab_input] = labelsOf(gws);
+        gws->mergeSimilar(40);
+        merged[lab_input] = labelsOf(gws);
+    }
+    EXPECT_EQ(0, cv::norm(labels[0], labels[1], NORM_INF));
+    EXPECT_EQ(0, cv::norm(merged[0], merged[1], NORM_INF));
+}
+
 TEST_P(ximgproc_GWatershed_real_inputs, more_than_4_channels_are_refused_with_advice)
 {
     EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(Mat(20, 20, CV_32FC(7)), GetParam()); }, "PCA"));
