@@ -37,16 +37,43 @@ double directionOf(const Vec2d& steps, double area)
     return straightLog(steps[0] + 0.5 * area) - straightLog(steps[1] + 0.5 * area);
 }
 
-//! The square of the slope that two regions share, from the sums of the rises of lightness across and down in them and
-//! those of all steps.
-double commonSlope(const Vec2d& rise_a, const Vec2d& steps_a, double na, const Vec2d& rise_b, const Vec2d& steps_b,
-                   double nb)
+//! The slope of a region across and down, steps that are none, and whether it is one of all channels.
+struct Slope
 {
-    const Vec2d a = rise_a / na, b = rise_b / nb;
-    const double rough = std::max((steps_a[0] + steps_a[1]) / na - std::abs(a[0]) - std::abs(a[1]),
-                                  (steps_b[0] + steps_b[1]) / nb - std::abs(b[0]) - std::abs(b[1]));
-    return std::max(0., std::min(a.dot(a), b.dot(b)) - (a - b).dot(a - b) -
-                            std::pow(0.33 * std::max(0., rough - 2.5), 2));
+    Vec2d rise;
+    double rough;
+    bool is_shade;
+};
+
+//! From the sums of the rises of each channel across and down, and those of all steps.
+Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area)
+{
+    const Matx32d mean = rises * (1 / area);
+    const double others = (steps[0] + steps[1]) / area - std::abs(mean(0, 0)) - std::abs(mean(0, 1));
+    const double chroma = std::abs(mean(1, 0)) + std::abs(mean(1, 1)) + std::abs(mean(2, 0)) + std::abs(mean(2, 1));
+    Slope slope = { Vec2d(mean(0, 0), mean(0, 1)), std::max(0., others - 2.5), false };
+    slope.is_shade = chroma > 0.1 && 20 * (others - chroma - 0.75) <= chroma;
+    if (!slope.is_shade)
+        return slope;
+    slope.rough = 0;
+    for (int i = 0; i < 2; i++)
+    {
+        const Vec3d rise(mean(0, i), 3 * mean(1, i), 3 * mean(2, i));
+        slope.rise[i] = rise.dot(Vec3d(10, 7, 4)) < 0 ? -cv::norm(rise) : cv::norm(rise);
+    }
+    return slope;
+}
+
+//! What the slope that two regions share explains of their squared distance.
+double explainedBySlopes(const Slope& a, const Slope& b, double area, double squared_distance)
+{
+    const bool are_shades = a.is_shade && b.is_shade;
+    Vec2d turn;
+    for (int i = 0; i < 2; i++)
+        turn[i] = std::max(0., std::abs(a.rise[i] - b.rise[i]) - (are_shades ? 0.35 : 0));
+    const double explained = area * std::max(0., std::min(a.rise.dot(a.rise), b.rise.dot(b.rise)) - turn.dot(turn) -
+                                                     std::pow(0.33 * std::max(a.rough, b.rough), 2));
+    return are_shades && squared_distance > 8 * explained ? 0 : explained;
 }
 
 //! The rows of a grid of n cells: a number near to that of square cells, if it divides n.
@@ -156,7 +183,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
-    std::vector<Vec2d> steps(n, Vec2d(0, 0)), rises(n, Vec2d(0, 0)); // across and down, in every second row
+    std::vector<Vec2d> steps(n, Vec2d(0, 0)); // across and down, in every second row
+    std::vector<Matx32d> rises(n, Matx32d::zeros());
     std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -174,7 +202,8 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
                 if (first.at<int>(q) == first.at<int>(y, x) && y % 2 == 0)
                 {
                     steps[labels.at<int>(q)][k] += step;
-                    rises[labels.at<int>(q)][k] += next[0] - color[0];
+                    for (int c = 0; c < 3; c++)
+                        rises[labels.at<int>(q)](c, k) += next[c] - color[c];
                 }
                 if (labels.at<int>(q) == labels.at<int>(y, x))
                     continue;
@@ -199,9 +228,10 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         const Vec3d d = means[e->first.first] - means[e->first.second];
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
-        const double slope = commonSlope(rises[e->first.first], ta, na, rises[e->first.second], tb, nb);
+        const double explained = explainedBySlopes(slopeOf(rises[e->first.first], ta, na),
+                                                   slopeOf(rises[e->first.second], tb, nb), std::min(na, nb), d.dot(d));
         const bool of_a_part = parts[e->first.first] == parts[e->first.second];
-        costs[e->first] = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * std::min(na, nb) * slope + 1.5)) +
+        costs[e->first] = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * explained + 1.5)) +
                           straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                           0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
                           0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -

@@ -345,6 +345,28 @@ TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp_after_merging)
     EXPECT_LE(mean, 1.3);
 }
 
+// From one colour to another. Before chroma was part of slopes, the means were 4 and 11.
+TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_of_colours)
+{
+    const Scalar colors[][2] = { { Scalar(255, 0, 0), Scalar(0, 0, 255) }, { Scalar(0, 255, 0), Scalar(255, 0, 255) },
+                                 { Scalar::all(255), Scalar(0, 0, 255) } };
+    double means[2] = { 0, 0 }; // of iterate() and after merging
+    for (const auto& ends : colors)
+        for (const Point& direction : { Point(1, 0), Point(0, 1), Point(1, 1) })
+        {
+            Mat image = makeRamp(Size(480, 320), direction);
+            cv::multiply(image, ends[1] - ends[0], image, 1. / 255, CV_16S);
+            cv::add(image, ends[0], image, noArray(), CV_8U);
+            for (int region_size : REGION_SIZES)
+            {
+                means[0] += medianAspect(superpixels(image, region_size)) / 54;
+                means[1] += medianAspect(mergedToATenth(image, region_size)) / 54;
+            }
+        }
+    EXPECT_LE(means[0], 2.1);
+    EXPECT_LE(means[1], 2.3);
+}
+
 TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_noisy_ramp_after_merging)
 {
     double mean = 0;

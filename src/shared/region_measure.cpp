@@ -13,7 +13,7 @@ namespace {
 struct ColorSum
 {
     uint64 channels[4];
-    int64 across, down, rise_across, rise_down; // of the texture, rises in whole levels
+    int64 across, down, rises[3][2]; // of the texture, rises in whole levels
     int area, depth_area;
 
     void add(const ColorSum& s)
@@ -22,8 +22,8 @@ struct ColorSum
             channels[k] += s.channels[k];
         across += s.across;
         down += s.down;
-        rise_across += s.rise_across;
-        rise_down += s.rise_down;
+        for (int k = 0; k < 6; k++)
+            rises[k / 2][k % 2] += s.rises[k / 2][k % 2];
         area += s.area;
         depth_area += s.depth_area;
     }
@@ -35,11 +35,13 @@ struct ColorSum
         return sum;
     }
 
-    //! lightness is its weight, in 1/256.
-    RegionTexture toTexture(int lightness) const
+    //! weights are those of the channels, in 1/256.
+    RegionTexture toTexture(const short* weights) const
     {
-        const RegionTexture texture = { float(across), float(down), float(lightness * rise_across),
-                                        float(lightness * rise_down) };
+        RegionTexture texture = { {}, float(across), float(down) };
+        for (int k = 0; k < 6; k++)
+            texture.rises[k / 2][k % 2] = float(rises[k / 2][k % 2]);
+        texture.scaleRises(weights, 1);
         return texture;
     }
 };
@@ -85,6 +87,17 @@ public:
         gws::addTo(channels + 2, second);
     }
 
+    //! How much the sums of others are larger, as rises down.
+    void addRisesTo(const ChannelSums& others, int64 (*rises)[2]) const
+    {
+        v_int32x4 even, odd;
+        v_expand(v_reinterpret_as_s16(v_sub_wrap(others.sums_, sums_)), even, odd);
+        int of_channels[4];
+        v_store(of_channels, gws::add(even, odd));
+        for (int k = 0; k < 3; k++)
+            rises[k][1] += of_channels[k];
+    }
+
     int weighted(const v_int16x8& weights) const
     {
         return v_reduce_sum(v_dotprod(v_reinterpret_as_s16(sums_), weights));
@@ -121,9 +134,7 @@ inline void addSteps(const PixelRows& pixels, int label, int count, int count_ac
 {
     const int *mask = firstWords(count), *mask_across = firstWords(count_across);
     const v_int32x4 own = v_setall_s32(label);
-    const v_uint8x16 lightness = v_reinterpret_as_u8(v_setall_u32(255));
-    ChannelSums across, down;
-    v_int32x4 rises = v_setzero_s32();
+    ChannelSums across, down, own_sums, sums_below;
     for (int k = 0; k < AT_ONCE; k += 4)
     {
         const v_uint8x16 four = loadFour(pixels.features + k);
@@ -131,13 +142,12 @@ inline void addSteps(const PixelRows& pixels, int label, int count, int count_ac
         across.add(bitAnd(v_absdiff(four, loadFour(pixels.features + k + 1)), loadMask(mask_across + k)));
         const v_uint8x16 counted = bitAnd(same, loadMask(mask + k)), below = loadFour(pixels.below + k);
         down.add(bitAnd(v_absdiff(four, below), counted));
-        const v_uint8x16 part = bitAnd(counted, lightness);
-        rises = add(rises, v_reinterpret_as_s32(bitAnd(below, part)));
-        rises = subtract(rises, v_reinterpret_as_s32(bitAnd(four, part)));
+        own_sums.add(bitAnd(four, counted));
+        sums_below.add(bitAnd(below, counted));
     }
     to.across += across.weighted(weights);
     to.down += down.weighted(weights);
-    to.rise_down += v_reduce_sum(rises);
+    own_sums.addRisesTo(sums_below, to.rises);
 }
 
 //! A few pixels at the end of a row, with room behind them.
@@ -178,7 +188,8 @@ template <bool WITH_TEXTURE>
 void addRun(PixelRows pixels, int label, int count, int room, const v_int16x8& weights, ColorSum& to)
 {
     if (WITH_TEXTURE)
-        to.rise_across += pixels.features[count - 1].color[0] - pixels.features[0].color[0];
+        for (int k = 0; k < 3; k++)
+            to.rises[k][0] += pixels.features[count - 1].color[k] - pixels.features[0].color[k];
     for (; count > 0; count -= AT_ONCE, room -= AT_ONCE, pixels.skip(AT_ONCE))
     {
         const int now = std::min<int>(count, AT_ONCE), now_across = std::min<int>(count - 1, AT_ONCE);
@@ -246,7 +257,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, const RegionD
     setSums(features, labels, sums, regions);
     textures.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
-        textures[i] = sums[i].toTexture(distance.weights[0][0]);
+        textures[i] = sums[i].toTexture(distance.weights[0]);
 }
 
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions)

@@ -11,15 +11,28 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
 //! below them, weighted, in 1/16 of a level, in every second row; of blocks, what lies in them. It grows with details,
-//! but hardly with shading. And how its lightness rises: sums of the same differences with their signs, in 1/256.
+//! but hardly with shading. And how its colours rise: sums of the same differences with their signs, in 1/256.
 //! @note Sums of floats depend on their order, which is the same for every number of threads.
 struct RegionTexture
 {
+    float rises[3][2]; //!< of each channel, across and down
     float across, down;
-    float rise_across, rise_down;
 
-    void add(const v_float32x4& sums) { v_store(&across, gws::add(v_load(&across), sums)); }
-    void add(const RegionTexture& t) { add(v_load(&t.across)); }
+    //! The first and the last four sums.
+    void add(const v_float32x4& first, const v_float32x4& last)
+    {
+        v_store(rises[0], gws::add(v_load(rises[0]), first));
+        v_store(rises[2], gws::add(v_load(rises[2]), last));
+    }
+    void add(const RegionTexture& t) { add(v_load(t.rises[0]), v_load(t.rises[2])); }
+
+    //! From levels, with the weights of the channels.
+    void scaleRises(const short* weights, float scale)
+    {
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 2; i++)
+                rises[k][i] *= scale * float(weights[k]);
+    }
 };
 
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.

@@ -26,6 +26,8 @@ struct MergeRules
     int slope_in_cell = 0; //!< the same between regions of one cell of the grid of markers, or part of a plan
     float grain = 1.5f;    //!< steps for each pixel, in levels, that are noise, and neither slope nor roughness
     float rounding = 0;    //!< differences of slopes, in levels for each pixel, that are none
+    float uneven = 0;      //!< steps for each pixel, in levels, that a shade of colours has beside its slope
+    float chroma_slope = 1; //!< how much more a rise of chroma is in a slope
     int roughness = 0;     //!< so much of it, in 1/64, is no slope
     float usual = 1;       //!< areas of unions, in mean areas at the end; larger ones are expensive
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
@@ -50,6 +52,8 @@ inline MergeRules mergeByTextures()
     rules.chroma = 10;
     rules.texture = 75;
     rules.direction = 32;
+    rules.uneven = 0.75f;
+    rules.chroma_slope = 3;
     rules.slope = 4; // but none in a part of a plan: so the plan holds on a ramp, too
     rules.grain = 2.5f; // with less, two levels of noise make strips of a ramp
     rules.roughness = 21;
@@ -61,6 +65,8 @@ inline MergeRules mergeByTextures()
 
 //! Units of slopes in a level for each pixel; steeper ones count as the steepest.
 enum { SLOPE_OF_LEVEL = 256, STEEPEST_SLOPE = 64 * SLOPE_OF_LEVEL };
+//! Differences of slopes that are none where colours shade, in addition to the others: below 0, and twice in a word.
+enum { SHADE_ROUNDING = SLOPE_OF_LEVEL * 35 / 100, IS_SHADE = -SHADE_ROUNDING * 0x10001 };
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
@@ -72,7 +78,7 @@ struct MergeRegion
     short direction; //!< logarithm of those across over those down
     float light;    //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
     int cell;       //!< of the grid of markers, in which the region began, or the part of the plan of unions
-    int rough;      //!< steps that are no slope, as far as they count, in the unit of slopes
+    int rough;      //!< steps that are no slope, as far as they count, in the unit of slopes; or IS_SHADE
 };
 static_assert(sizeof(MergeRegion) == 32, "it is read as two vectors");
 
@@ -98,6 +104,9 @@ struct FourRegions;
 //! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
 //! that are no slope, it is
 //!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
+//! Colours shade where a + b is hardly more than the rises of all channels, by `uneven` and a twentieth of those of
+//! chroma: then g is the root of the squares of all rises, q is 0, and more of |g1 - g2| is rounding. At a blurred edge
+//! they shade, too, so e of two such regions is 0 if it explains less than an eighth of d^2.
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! Parts of a plan are compact as they are, so no slope need count inside of them.
@@ -122,7 +131,8 @@ private:
     v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
                        const MergeRegion* const* first, const MergeRegion* const* second) const;
 
-    v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell) const;
+    v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell,
+                       const v_int32x4& squared_distance) const;
 
     const RegionDistance distance_;
     const MergeRegion* const records_;

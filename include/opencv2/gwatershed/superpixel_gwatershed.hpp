@@ -110,11 +110,11 @@ public:
     The factory made a copy of them; iterate() of another image does not replace it. Each call starts from the
     beginning with the current parameters, unless setTemporal() is on.
 
-    @param num_iterations Number of iterations, 1 or more. For RGWATERSHED each iteration after the first moves
-    more boundary pixels, and only where the mean colours of the superpixels explain the image as well or better
-    afterwards: the explained variation of the 8-bit image (of two channels, with their mean as a third) never falls.
-    The time of an iteration is proportional to the boundary that still moves; when nothing moves, the rest are
-    skipped. From the 17th iteration on no pixel moves because of depth alone. GWATERSHED makes one pass for any number.
+    @param num_iterations Number of iterations, 1 or more. For RGWATERSHED each iteration after the first moves more
+    boundary pixels, and only where the mean colours of the superpixels explain the image as well or better afterwards:
+    the explained variation of the 8-bit image (of two channels, with their mean as a third) never falls. The time of an
+    iteration is proportional to the boundary that still moves; when nothing moves, the rest are skipped. From the 17th
+    iteration on no pixel moves because of depth alone. GWATERSHED makes one pass for any number.
 
     ![After 1, 2, 4 and 8 iterations](pics/gwatershed_iterations.jpg)
 
@@ -161,7 +161,8 @@ public:
     /** @brief Returns the watershed lines of GWATERSHED, before their pixels joined superpixels.
 
     @param image CV_8UC1 mask of the size of the image: 255 where two floods met, where the gradient reached the
-    border threshold, and on pixels enclosed by these; 0 elsewhere. RGWATERSHED makes no lines: 0 everywhere.
+    border threshold, and on pixels enclosed by these; 0 elsewhere, and on markers, which may lie side by side.
+    RGWATERSHED makes no lines: 0 everywhere.
 
     Throws cv::Exception before the first iterate().
     */
@@ -210,8 +211,10 @@ public:
     sum of all channels (with surfaces of the colours). L are the mean lightnesses, also of both, 0 to 255. Texture is
     t = x + y, r = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right and below (in superpixels
     of iterate()), over every second row, divided by n. g is the slope, the same of lightness, with signs; q = max(0,
-    t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). u is 2.9
-    times the mean n left, whose number keeps its three highest bits. Distances are in 8-bit levels of the opponent
+    t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). Where m,
+    |g|_1 of both other channels, is above 0.1 and 20 (t - |g|_1 - m - 0.75), g is the slope of all, of these times 3,
+    and q = 0; if both regions are so, each |g_a - g_b| is less by 0.35, and s = 0 where d^2 > 8 s min(n_a, n_b). u is
+    2.9 times the mean n left, whose number keeps its three highest bits. Distances are in 8-bit levels of the opponent
     space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true); alpha weighs depth. Beside it,
     L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t and r count in full from alpha 0.33 (0.5) on, and
     not at all at 0. e is 1.5. A plan divides the image into tiles of ten superpixels, and these into halves, to single
@@ -238,7 +241,7 @@ public:
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
     @param centroids N x 2 CV_64FC1, x and y in pixels.
     @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image, over its finite values.
-    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels whose depth is not missing and finite.
+    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels with depth that is a finite float.
     @param positions N x 3 CV_32FC1, the mean of the points in space at these pixels: x to the right, y down and z
     forward from the camera, in the unit of depth. z is the mean depth.
     @param normals N x 3 CV_32FC1, x, y and z of a vector of length 1, towards the camera: the normal of the plane that
@@ -248,9 +251,9 @@ public:
     of the longer side of the image; the optical axis meets the middle of the image. A mask changes neither of them.
 
     Any table can be left out by noArray(); means, positions and normals take no time then. Means and positions are NaN
-    if there is nothing to take them from, and so are normals if all pixels with depth are on one line. A table of what
-    was not given has no rows. In Python all are returned, and one without rows is None. Throws cv::Exception before the
-    first iterate().
+    if there is nothing to take them from, and normals if all pixels with depth are on one line, or nearly. A table of
+    what was not given has no rows. In Python all are returned, and one without rows is None. Throws cv::Exception
+    before the first iterate().
     */
     CV_WRAP virtual void getStatistics(InputArray image, InputArray depth, OutputArray stats, OutputArray centroids,
                                        OutputArray mean_colors = noArray(), OutputArray mean_depths = noArray(),
@@ -285,8 +288,8 @@ public:
     Pixels outside have the label -1, are 0 in the masks of contours and lines, and have no influence on the pixels
     inside. The number of superpixels and the region size count pixels inside only. Every connected component of the
     mask has at least one superpixel: N is the number asked for, one for each pixel at most, or the number of
-    components, whichever is larger. Labels follow the order of the components; components too small for a block come
-    last. If the mask is zero everywhere, N = 0.
+    components, whichever is larger. Labels follow the order of the components, as far as blocks of pixels show it;
+    parts too small for a block come last. If the mask is zero everywhere, N = 0.
 
     @param mask CV_8UC1, or CV_BoolC1 in OpenCV 5, non-zero inside, or empty for no mask. Before OpenCV 5, in Python,
     give `inside.astype(np.uint8)` of a boolean array. It is copied, and kept until the next setMask() or clear().
@@ -296,16 +299,14 @@ public:
 
     /** @brief Sets the markers that superpixels grow from, as for cv::watershed.
 
-    N is the number of different positive values inside of the mask. Labels follow the order of the values; the
-    number of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel.
-    Markers may touch each other and the border of the image. A marker in several pieces makes a superpixel in
-    several pieces, at most as many. Pixels that no marker reaches, in other components of a mask, have the
-    label -1; so have all pixels if there is no marker. RGWATERSHED then floods single pixels instead of blocks,
-    which takes longer, and the ruler acts in the sweeps only.
+    N is the number of different positive values inside of the mask. Labels follow the order of the values; the number
+    of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel. Markers may touch
+    each other and the border of the image. A marker in several pieces makes a superpixel in several pieces, at most as
+    many. Pixels that no marker reaches, in other components of a mask, have the label -1; so have all pixels if there
+    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; the ruler acts in the sweeps only.
 
-    @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of
-    getLabels()). Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate()
-    throws if its size is not that of the image.
+    @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of getLabels()).
+    Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate() throws if the size differs.
     */
     CV_WRAP virtual void setMarkers(InputArray markers) = 0;
 
@@ -335,10 +336,9 @@ public:
     CV_WRAP virtual int getDesiredSuperpixels() const = 0;
 
     /** @brief Sets the compactness.
-    @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and
-    boundaries are ragged. Small values give high boundary recall, larger ones more compact superpixels, though
-    never squares. The effect does not depend on the bit depth of the image or on the size of superpixels.
-    GWATERSHED ignores it.
+    @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and boundaries
+    are ragged. Small values give high boundary recall, larger ones more compact superpixels, though never squares. The
+    effect does not depend on the bit depth of the image or on the size of superpixels. GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
