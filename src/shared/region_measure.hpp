@@ -34,6 +34,7 @@ struct RegionTexture
                 rises[k][i] *= scale * float(weights[k]);
     }
 };
+static_assert(sizeof(RegionTexture) == 32, "it is read as two vectors");
 
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);

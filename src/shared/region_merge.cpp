@@ -108,37 +108,43 @@ static short riseOfColors(int lightness, float chroma, float other_chroma)
 }
 
 //! Steps are divided by pixels, not by their own number. So a narrow region, with few of them, counts as a smooth one.
-//! Those that are no slope go up and down, or are of the other channels: noise, as far as they are small. But where
-//! nearly all steps are one slope of all channels, this is that of the region, and its roughness is below 0.
 void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 {
     const float FINE = STEPS_PER_LEVEL, FLAT = FINE / 2; // for each pixel; less is like none
     const RegionTexture& texture = b_.textures[region];
-    const float area = float(regions_.sums[region].area), share = 1 / area, steps = texture.across + texture.down;
+    const float area = float(regions_.sums[region].area), steps = texture.across + texture.down;
     record.texture = short(logarithm(steps + FINE * area) - logarithm(area));
     record.direction = short(logarithm(texture.across + FLAT * area) - logarithm(texture.down + FLAT * area));
-    const v_float32x4 shares = v_setall_f32(share);
-    const v_int32x4 first = v_round(multiply(v_load(texture.rises[0]), shares));
-    const v_int32x4 last = v_round(multiply(v_load(texture.rises[2]), shares));
-    int rises[4][2], sizes[8];
-    v_store(rises[0], first);
-    v_store(rises[2], last);
-    v_store(sizes, v_reinterpret_as_s32(v_abs(first)));
-    v_store(sizes + 4, v_reinterpret_as_s32(v_abs(last)));
-    const int chroma = sizes[2] + sizes[3] + sizes[4] + sizes[5];
-    const int not_light = cvRound(steps * share * float(SLOPE_OF_LEVEL) / FINE) - sizes[0] - sizes[1];
-    const int uneven = not_light - chroma - cvRound(rules_.uneven * float(SLOPE_OF_LEVEL));
-    const bool is_shade = chroma > SLOPE_OF_LEVEL / 10 && uneven * 20 <= chroma;
-    const int rough = std::max(not_light - cvRound(rules_.grain * float(SLOPE_OF_LEVEL)), 0) * rules_.roughness / 64;
+    describeSlope(texture, 1 / area, record);
+}
+
+//! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. But where
+//! nearly all steps are one slope of all channels, this is that of the region, and its roughness is below 0.
+void SimilarMerger::describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const
+{
+    const float LEVEL = SLOPE_OF_LEVEL;
+    int rises[4][2], sizes[4][2]; // of three channels, across and down
+    for (int k = 0; k < 4; k += 2)
+    {
+        const v_int32x4 two_channels = v_round(multiply(v_load(texture.rises[k]), v_setall_f32(share)));
+        v_store(rises[k], two_channels);
+        v_store(sizes[k], v_reinterpret_as_s32(v_abs(two_channels)));
+    }
+    const int steps = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL);
+    const int chroma = sizes[1][0] + sizes[1][1] + sizes[2][0] + sizes[2][1];
+    const int not_light = steps - sizes[0][0] - sizes[0][1];
+    if (chroma > SLOPE_OF_LEVEL / 10 && (not_light - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma)
+    {
+        for (int i = 0; i < 2; i++)
+            record.slope[i] = riseOfColors(rises[0][i], rules_.chroma_slope * float(rises[1][i]),
+                                           rules_.chroma_slope * float(rises[2][i]));
+        record.rough = IS_SHADE;
+        return;
+    }
+    const int rough = std::max(not_light - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
     record.slope[0] = short(rises[0][0]);
     record.slope[1] = short(rises[0][1]);
     record.rough = std::min(rough, int(STEEPEST_SLOPE));
-    if (!is_shade)
-        return;
-    for (int i = 0; i < 2; i++)
-        record.slope[i] = riseOfColors(rises[0][i], rules_.chroma_slope * float(rises[1][i]),
-                                       rules_.chroma_slope * float(rises[2][i]));
-    record.rough = IS_SHADE;
 }
 
 MergeRegion SimilarMerger::describe(int region) const

@@ -69,6 +69,7 @@ private:
     void start();
     void expect(int num_regions);
     void describeTexture(int region, MergeRegion& record) const;
+    void describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const;
     MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
