@@ -52,7 +52,7 @@ Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area)
     const double others = (steps[0] + steps[1]) / area - std::abs(mean(0, 0)) - std::abs(mean(0, 1));
     const double chroma = std::abs(mean(1, 0)) + std::abs(mean(1, 1)) + std::abs(mean(2, 0)) + std::abs(mean(2, 1));
     Slope slope = { Vec2d(mean(0, 0), mean(0, 1)), std::max(0., others - 2.5), false };
-    slope.is_shade = chroma > 0.1 && 20 * (others - chroma - 0.75) <= chroma;
+    slope.is_shade = chroma > 0.1 && chroma < 3 && 20 * (others - chroma - 0.75) <= chroma;
     if (!slope.is_shade)
         return slope;
     slope.rough = 0;

@@ -119,7 +119,8 @@ void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 }
 
 //! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. But where
-//! nearly all steps are one slope of all channels, this is that of the region, and its roughness is below 0.
+//! nearly all steps are one slope of all channels, this is that of the region, and its roughness is below 0. Chroma that
+//! rises by three levels or more for each pixel is an edge or a pattern.
 void SimilarMerger::describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const
 {
     const float LEVEL = SLOPE_OF_LEVEL;
@@ -132,8 +133,9 @@ void SimilarMerger::describeSlope(const RegionTexture& texture, float share, Mer
     }
     const int steps = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL);
     const int chroma = sizes[1][0] + sizes[1][1] + sizes[2][0] + sizes[2][1];
-    const int not_light = steps - sizes[0][0] - sizes[0][1];
-    if (chroma > SLOPE_OF_LEVEL / 10 && (not_light - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma)
+    const int not_light = steps - sizes[0][0] - sizes[0][1], uneven = not_light - chroma;
+    const bool is_ramp = (uneven - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma;
+    if (is_ramp && chroma > SLOPE_OF_LEVEL / 10 && chroma < 3 * SLOPE_OF_LEVEL)
     {
         for (int i = 0; i < 2; i++)
             record.slope[i] = riseOfColors(rises[0][i], rules_.chroma_slope * float(rises[1][i]),

@@ -105,8 +105,8 @@ struct FourRegions;
 //! that are no slope, it is
 //!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
 //! Colours shade where a + b is hardly more than the rises of all channels, by `uneven` and a twentieth of those of
-//! chroma: then g is the root of the squares of all rises, q is 0, and more of |g1 - g2| is rounding. At a blurred edge
-//! they shade, too, so e of two such regions is 0 if it explains less than an eighth of d^2.
+//! chroma, which are not steep: then g is the root of the squares of all rises, q is 0, and more of |g1 - g2| is
+//! rounding. At a blurred edge they shade, too, so e of two such regions is 0 if it explains less than 1/8 of d^2.
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! Parts of a plan are compact as they are, so no slope need count inside of them.

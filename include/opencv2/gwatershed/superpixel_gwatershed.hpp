@@ -212,7 +212,7 @@ public:
     t = x + y, r = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right and below (in superpixels
     of iterate()), over every second row, divided by n. g is the slope, the same of lightness, with signs; q = max(0,
     t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). Where m,
-    |g|_1 of both other channels, is above 0.1 and 20 (t - |g|_1 - m - 0.75), g is the slope of all, of these times 3,
+    |g|_1 of both other channels, is 0.1 to 3, above 20 (t - |g|_1 - m - 0.75), g is the slope of all, of these times 3,
     and q = 0; if both regions are so, each |g_a - g_b| is less by 0.35, and s = 0 where d^2 > 8 s min(n_a, n_b). u is
     2.9 times the mean n left, whose number keeps its three highest bits. Distances are in 8-bit levels of the opponent
     space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true); alpha weighs depth. Beside it,
