@@ -118,9 +118,9 @@ void SimilarMerger::describeTexture(int region, MergeRegion& record) const
     describeSlope(texture, 1 / area, record);
 }
 
-//! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. But where
-//! nearly all steps are one slope of all channels, this is that of the region, and its roughness is below 0. Chroma that
-//! rises by three levels or more for each pixel is an edge or a pattern.
+//! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. Where nearly
+//! all steps are one slope of all channels, this is that of the region, and its roughness is below 0. Chroma that rises
+//! by three levels or more for each pixel is an edge or a pattern.
 void SimilarMerger::describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const
 {
     const float LEVEL = SLOPE_OF_LEVEL;
