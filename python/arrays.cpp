@@ -83,7 +83,8 @@ static py::array convertIntegers(const py::array& values, const char* type, int 
 //! As double, which must hold them.
 static py::array toDouble(const py::array& values, const char* name)
 {
-    return isInteger(values) ? convertIntegers(values, "float64", 53, name) : py::array(values.attr("astype")("float64"));
+    return isInteger(values) ? convertIntegers(values, "float64", 53, name)
+                             : py::array(values.attr("astype")("float64"));
 }
 
 static Pixels takeValues(py::array values, const char* name)

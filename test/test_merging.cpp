@@ -59,7 +59,7 @@ Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area)
     for (int i = 0; i < 2; i++)
     {
         const Vec3d rise(mean(0, i), 3 * mean(1, i), 3 * mean(2, i));
-        slope.rise[i] = rise.dot(Vec3d(10, 7, 4)) < 0 ? -cv::norm(rise) : cv::norm(rise);
+        slope.rise[i] = std::min(cv::norm(rise), 64.);
     }
     return slope;
 }
@@ -307,13 +307,28 @@ std::pair<RegionKey, RegionKey> findUnion(const Mat& before, const Mat& after, i
 
 // Two regions are united only if they were the best neighbours of each other when their round began, which is at some
 // time since both of them are what they are.
+//! Two ramps of colours beside each other, with a blurred edge between them.
+Mat makeShades(Size size)
+{
+    Mat image(size, CV_8UC3);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+        {
+            const int share = 255 * x / (size.width - 1);
+            image.at<Vec3b>(y, x) = y < size.height / 2 ? Vec3b(uchar(255 - share / 2), 90, uchar(share / 2))
+                                                        : Vec3b(150, uchar(share / 2), 60);
+        }
+    GaussianBlur(image, image, Size(), 4);
+    return image;
+}
+
 TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
 {
     RNG& rng = theRNG();
     const int WIDTHS[] = { 80, 80, 80, 80, 7, 150 }; // narrower than what is read at once, and runs that are longer
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 8; i++)
     {
-        const Mat image = makeScene(Size(WIDTHS[i], 4800 / WIDTHS[i]), rng);
+        const Mat image = i < 6 ? makeScene(Size(WIDTHS[i], 4800 / WIDTHS[i]), rng) : makeShades(Size(60 * i - 260, 60));
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
         gws->iterate();
         std::vector<KeyedCosts> history;

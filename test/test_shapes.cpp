@@ -354,9 +354,9 @@ TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_of_colours)
     for (const auto& ends : colors)
         for (const Point& direction : { Point(1, 0), Point(0, 1), Point(1, 1) })
         {
-            Mat image = makeRamp(Size(480, 320), direction);
-            cv::multiply(image, ends[1] - ends[0], image, 1. / 255, CV_16S);
-            cv::add(image, ends[0], image, noArray(), CV_8U);
+            Mat steps, image;
+            cv::multiply(makeRamp(Size(480, 320), direction), ends[1] - ends[0], steps, 1. / 255, CV_16S);
+            cv::add(steps, ends[0], image, noArray(), CV_8U);
             for (int region_size : REGION_SIZES)
             {
                 means[0] += medianAspect(superpixels(image, region_size)) / 54;

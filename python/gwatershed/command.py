@@ -4,6 +4,7 @@
 """The command gwatershed: superpixels of images in files."""
 import argparse
 import os
+import struct
 import sys
 import time
 from pathlib import Path
@@ -86,19 +87,27 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 
 def read_image(name: str) -> Any:
-    """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off. As cv2.imread() does, it
-    turns what the camera says is turned."""
-    from PIL import Image, ImageOps
+    """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off."""
+    from PIL import Image
     Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
     with Image.open(name) as file:
-        image = ImageOps.exif_transpose(file)
+        image = upright(file)
         return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
 
 
 def read_depth(name: str) -> Any:
     from PIL import Image
-    with Image.open(name) as image:
-        return fit_16_bits(np.asarray(image), "depth")
+    with Image.open(name) as file:
+        return fit_16_bits(np.asarray(upright(file)), "depth")
+
+
+def upright(image: Any) -> Any:
+    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged."""
+    from PIL import ImageOps
+    try:
+        return ImageOps.exif_transpose(image)
+    except (SyntaxError, struct.error):
+        return image
 
 
 def fit_16_bits(values: Any, name: str) -> Any:

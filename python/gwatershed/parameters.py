@@ -9,7 +9,7 @@ from ._native import SuperpixelGWatershed
 
 def restore(kind: Type[SuperpixelGWatershed], parameters: str) -> SuperpixelGWatershed:
     """A new object of the class, or of one that was derived from it, with the parameters that write() gave."""
-    gws = kind.__new__(kind)
+    gws = SuperpixelGWatershed.__new__(kind)
     SuperpixelGWatershed.__init__(gws)
-    gws.read(parameters)
+    SuperpixelGWatershed.read(gws, parameters)
     return gws

@@ -35,7 +35,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         parameters["region_size"] = region_size
     if num_superpixels is not None:
         parameters["num_superpixels"] = num_superpixels
-    start_label = operator.index(start_label)
+    start_label = label_number(start_label)
     gws = SuperpixelGWatershed(**parameters)
     gws.setMask(_inside(mask))
     gws.setMarkers(_optional(markers))
@@ -63,7 +63,7 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     focal_length also position, the mean point in space (x to the right, y down, z forward from the camera, in the unit
     of depth), and normal (x, y, z, of length 1, towards the camera), NaN where there is nothing to take them from.
     """
-    labels, start_label = np.asarray(labels), operator.index(start_label)
+    labels, start_label = np.asarray(labels), label_number(start_label)
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
@@ -87,6 +87,14 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
         table["position"] = positions
         table["normal"] = normals
     return table[table["area"] > 0]
+
+
+def label_number(start_label: Any) -> int:
+    """An integer of any type."""
+    try:
+        return operator.index(start_label)
+    except TypeError:
+        raise TypeError("start_label must be an integer, not %r" % (start_label,)) from None
 
 
 def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool, with_surface: bool) -> Any:

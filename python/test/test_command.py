@@ -89,8 +89,14 @@ class CommandTest(unittest.TestCase):
         turned = Image.Exif()
         turned[0x0112] = 6  # the camera says: turn it to the right
         Image.fromarray(np.rot90(self.image)).save(self.path("turned.png"), exif=turned)
-        self.run_command(self.path("turned.png"), "-o", self.path("out.npy"), "--show", "labels", "-s", "12")
-        np.testing.assert_array_equal(np.load(self.path("out.npy")), gwatershed.segment(self.image, 12))
+        Image.fromarray(np.rot90(self.depth)).save(self.path("turned_depth.png"), exif=turned)
+        Image.fromarray(self.image).save(self.path("damaged.png"), exif=turned.tobytes()[:-9])
+        for name, depth in (("turned.png", None), ("turned.png", "turned_depth.png"), ("damaged.png", None)):
+            arguments = ["-d", self.path(depth)] if depth else []
+            self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s", "12", *arguments)
+            expected = gwatershed.segment(self.image, 12, depth=self.depth if depth else None)
+            np.testing.assert_array_equal(np.load(self.path("out.npy")), expected)
+            os.remove(self.path("out.npy"))
 
     def test_inputs_and_labels_are_kept(self):
         before = self.read("image.png")

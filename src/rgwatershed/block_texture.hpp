@@ -11,7 +11,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The texture of each region of blocks of the top level: the mean steps across and down inside of each block, and
-//! those of lightness with their signs, between those of its elements that lie at its corners, as for half of its side.
+//! those of each channel with signs, between those of its elements that lie at its corners, as for half of its side.
 //! They count half, as those of pixels do, of which every second row counts. Pixels that are merged as they are have no
 //! textures.
 //! `steps` is a buffer.

@@ -99,12 +99,11 @@ void SimilarMerger::start()
         area_ += b_.records[i].area;
 }
 
-//! A rise of all channels, with the sign of most of it.
-static short riseOfColors(int lightness, float chroma, float other_chroma)
+//! Of all channels, without a sign.
+static int riseOfColors(int lightness, int chroma, int other_chroma, float weight)
 {
-    const int64 x = lightness, y = cvRound(chroma), z = cvRound(other_chroma);
-    const int rise = std::min(cvRound(std::sqrt(double(x * x + y * y + z * z))), int(STEEPEST_SLOPE));
-    return short(10 * x + 7 * y + 4 * z < 0 ? -rise : rise);
+    const int64 x = lightness, y = cvRound(weight * float(chroma)), z = cvRound(weight * float(other_chroma));
+    return std::min(cvRound(std::sqrt(double(x * x + y * y + z * z))), int(STEEPEST_SLOPE));
 }
 
 //! Steps are divided by pixels, not by their own number. So a narrow region, with few of them, counts as a smooth one.
@@ -119,34 +118,26 @@ void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 }
 
 //! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. Where nearly
-//! all steps are one slope of all channels, this is that of the region, and its roughness is below 0. Chroma that rises
-//! by three levels or more for each pixel is an edge or a pattern.
+//! all steps are one slope of all channels, this is that of the region, and it has no roughness. Chroma that rises by
+//! three levels or more for each pixel is an edge or a pattern.
 void SimilarMerger::describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const
 {
     const float LEVEL = SLOPE_OF_LEVEL;
-    int rises[4][2], sizes[4][2]; // of three channels, across and down
-    for (int k = 0; k < 4; k += 2)
-    {
-        const v_int32x4 two_channels = v_round(multiply(v_load(texture.rises[k]), v_setall_f32(share)));
-        v_store(rises[k], two_channels);
-        v_store(sizes[k], v_reinterpret_as_s32(v_abs(two_channels)));
-    }
-    const int steps = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL);
-    const int chroma = sizes[1][0] + sizes[1][1] + sizes[2][0] + sizes[2][1];
-    const int not_light = steps - sizes[0][0] - sizes[0][1], uneven = not_light - chroma;
-    const bool is_ramp = (uneven - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma;
-    if (is_ramp && chroma > SLOPE_OF_LEVEL / 10 && chroma < 3 * SLOPE_OF_LEVEL)
-    {
+    int rises[3][2], light = 0, chroma = 0;
+    for (int k = 0; k < 3; k++)
         for (int i = 0; i < 2; i++)
-            record.slope[i] = riseOfColors(rises[0][i], rules_.chroma_slope * float(rises[1][i]),
-                                           rules_.chroma_slope * float(rises[2][i]));
-        record.rough = IS_SHADE;
-        return;
-    }
-    const int rough = std::max(not_light - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
-    record.slope[0] = short(rises[0][0]);
-    record.slope[1] = short(rises[0][1]);
-    record.rough = std::min(rough, int(STEEPEST_SLOPE));
+        {
+            rises[k][i] = cvRound(texture.rises[k][i] * share);
+            (k == 0 ? light : chroma) += std::abs(rises[k][i]);
+        }
+    const int others = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL) - light;
+    const bool is_ramp = (others - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma;
+    const bool is_shade = is_ramp && chroma > SLOPE_OF_LEVEL / 10 && chroma < 3 * SLOPE_OF_LEVEL;
+    for (int i = 0; i < 2; i++)
+        record.slope[i] = short(is_shade ? riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope)
+                                         : rises[0][i]);
+    const int rough = std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
+    record.rough = is_shade ? int(IS_SHADE) : std::min(rough, int(STEEPEST_SLOPE));
 }
 
 MergeRegion SimilarMerger::describe(int region) const

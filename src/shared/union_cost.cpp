@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-enum { MOST_OF_SHADE = 8 }; // times what the slope of a shade explains of a squared distance
+enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
 enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
 
 //! The words of four records: one vector for each.
@@ -124,7 +124,7 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
 //! What a slope that both regions are parts of explains of their squared distance, as far as it counts. Where it rises,
 //! regions beside each other differ by as much as it does from one centre to the next, and across it they do not.
 //! Shades of colour that differ by much more are no slope, but lie at an edge.
-inline v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell,
+v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell,
                               const v_int32x4& squared_distance) const
 {
     const v_int16x8 slope_a = v_reinterpret_as_s16(a.slopes), slope_b = v_reinterpret_as_s16(b.slopes);
@@ -132,12 +132,12 @@ inline v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b,
     const v_int32x4 zero = v_setzero_s32(), roughness = v_max(a.rough, b.rough), of_shades = v_min(roughness, zero);
     const v_int16x8 rounding = v_sub_wrap(rounding_, v_reinterpret_as_s16(of_shades));
     const v_int16x8 turn = v_max(v_sub_wrap(v_reinterpret_as_s16(difference), rounding), v_setzero_s16());
-    const v_int16x8 rough = v_reinterpret_as_s16(subtract(roughness, of_shades));
+    const v_int16x8 rough = v_reinterpret_as_s16(v_max(roughness, zero));
     const v_int32x4 smaller = v_min(v_dotprod(slope_a, slope_a), v_dotprod(slope_b, slope_b));
     const v_int32x4 not_common = add(v_dotprod(turn, turn), v_dotprod(rough, rough));
     const v_float32x4 common = v_cvt_f32(v_max(subtract(smaller, not_common), zero));
     const v_float32x4 explained = v_min(multiply(common, v_min(a.area, b.area)), v_setall_f32(1e9f));
-    const v_int32x4 most = v_trunc(multiply(explained, v_setall_f32(MOST_OF_SHADE / 256.f)));
+    const v_int32x4 most = v_trunc(multiply(explained, v_setall_f32(float(MOST_OF_SHADE) / 256)));
     const v_int32x4 is_edge = v_shr<31>(bitAnd(subtract(most, squared_distance), roughness));
     const v_float32x4 weight = v_select(v_reinterpret_as_f32(share_a_cell), slope_in_cell_, slope_);
     return v_select(is_edge, zero, v_trunc(multiply(explained, weight)));

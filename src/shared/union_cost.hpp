@@ -65,15 +65,17 @@ inline MergeRules mergeByTextures()
 
 //! Units of slopes in a level for each pixel; steeper ones count as the steepest.
 enum { SLOPE_OF_LEVEL = 256, STEEPEST_SLOPE = 64 * SLOPE_OF_LEVEL };
-//! Differences of slopes that are none where colours shade, in addition to the others: below 0, and twice in a word.
-enum { SHADE_ROUNDING = SLOPE_OF_LEVEL * 35 / 100, IS_SHADE = -SHADE_ROUNDING * 0x10001 };
+//! Differences of slopes that are none where colours shade, in addition to the others; and minus that in both halves of
+//! a word, for what shades.
+enum { SHADE_ROUNDING = SLOPE_OF_LEVEL * 35 / 100, IS_SHADE = 0x10000 - SHADE_ROUNDING * 0x10001 };
+static_assert(short(IS_SHADE & 0xFFFF) == -SHADE_ROUNDING && (IS_SHADE >> 16) == -SHADE_ROUNDING, "in both halves");
 
 //! What the cost of a union reads of a region: two vectors of four words.
 struct MergeRegion
 {
     short mean[4]; //!< colour, weighted, and depth, as it is, in 1/16 of a level
     float area;
-    short slope[2]; //!< of lightness across and down
+    short slope[2]; //!< of lightness across and down, or where colours shade of all channels, without signs
     short texture;  //!< logarithm of the steps of colour for each pixel
     short direction; //!< logarithm of those across over those down
     float light;    //!< sum of the lightness of its pixels, each of them 16 levels lighter than it is
@@ -104,9 +106,10 @@ struct FourRegions;
 //! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
 //! that are no slope, it is
 //!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
-//! Colours shade where a + b is hardly more than the rises of all channels, by `uneven` and a twentieth of those of
-//! chroma, which are not steep: then g is the root of the squares of all rises, q is 0, and more of |g1 - g2| is
-//! rounding. At a blurred edge they shade, too, so e of two such regions is 0 if it explains less than 1/8 of d^2.
+//! Colours shade where chroma rises by a tenth of a level to three levels, and a + b is hardly more than the rises of
+//! all channels, by `uneven` and a twentieth of those of chroma. Then g is, across and down, the root of the squares of
+//! all rises, those of chroma times `chroma_slope`; q is 0, and between two such regions more of |g1 - g2| is rounding.
+//! At a blurred edge colours shade, too, so e is 0 there if it explains less than an eighth of d^2.
 //! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
 //! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
 //! Parts of a plan are compact as they are, so no slope need count inside of them.

@@ -212,13 +212,13 @@ public:
     t = x + y, r = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right and below (in superpixels
     of iterate()), over every second row, divided by n. g is the slope, the same of lightness, with signs; q = max(0,
     t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). Where m,
-    |g|_1 of both other channels, is 0.1 to 3, above 20 (t - |g|_1 - m - 0.75), g is the slope of all, of these times 3,
-    and q = 0; if both regions are so, each |g_a - g_b| is less by 0.35, and s = 0 where d^2 > 8 s min(n_a, n_b). u is
-    2.9 times the mean n left, whose number keeps its three highest bits. Distances are in 8-bit levels of the opponent
-    space of RGWATERSHED, lightness times 7/16, or of the channels of setLabInput(true); alpha weighs depth. Beside it,
-    L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t and r count in full from alpha 0.33 (0.5) on, and
-    not at all at 0. e is 1.5. A plan divides the image into tiles of ten superpixels, and these into halves, to single
-    ones; between halves e is 3/16 and s is 0, so that even images become a grid.
+    |g|_1 of both other channels, is 0.1 to 3 and not below 20 (t - |g|_1 - m - 0.75), q = 0, and g is, right and down,
+    the length of the slopes of all, these times 3; where both are so, each |g_a - g_b| is less by 0.35, not below 0,
+    and s = 0 if d^2 > 8 s min(n_a, n_b). u is 2.9 times the mean n left, whose number keeps its three highest bits.
+    Distances are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of
+    setLabInput(true); alpha weighs depth. Beside it, L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t
+    and r count in full from alpha 0.33 (0.5) on, and not at all at 0. e is 1.5. A plan divides the image into tiles of
+    ten superpixels, and these into halves, to single ones; between halves e is 3/16 and s is 0.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
@@ -241,7 +241,7 @@ public:
     connectedComponentsWithStats(): CC_STAT_LEFT, CC_STAT_TOP, CC_STAT_WIDTH, CC_STAT_HEIGHT, CC_STAT_AREA.
     @param centroids N x 2 CV_64FC1, x and y in pixels.
     @param mean_colors N x C CV_32FC1, one column for each channel, in the unit of image, over its finite values.
-    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels with depth that is a finite float.
+    @param mean_depths N x 1 CV_32FC1, in the unit of depth, over the pixels with depth, finite as a float.
     @param positions N x 3 CV_32FC1, the mean of the points in space at these pixels: x to the right, y down and z
     forward from the camera, in the unit of depth. z is the mean depth.
     @param normals N x 3 CV_32FC1, x, y and z of a vector of length 1, towards the camera: the normal of the plane that
@@ -378,7 +378,7 @@ public:
     @param lab_input If false, the default, images of three channels are BGR and RGWATERSHED converts them to its
     opponent space. If true, it takes the channels as they are: lightness and two colour differences, as CIELAB from
     cv::cvtColor. That of floats follows colour more than that of 8 bits, where cvtColor() stretches lightness.
-    GWATERSHED never converts. */
+    GWATERSHED never converts. It has no effect on one and two channels. */
     CV_WRAP virtual void setLabInput(bool lab_input) = 0;
     /** @brief Whether images are in CIELAB or a similar space. @see setLabInput */
     CV_WRAP virtual bool getLabInput() const = 0;

@@ -3,7 +3,6 @@
 # of this distribution and at http://opencv.org/license.html.
 """A run over all tiles: by Dask, resumable after it was stopped."""
 import json
-import operator
 import os
 import shutil
 from contextlib import contextmanager, nullcontext
@@ -12,6 +11,7 @@ from typing import Any, Iterator, List, Optional, Sequence, Tuple
 import numpy as np
 
 import gwatershed
+from gwatershed.segmentation import label_number
 
 from .sources import Source, is_zarr, may_be_replaced, write_window
 from .tiling import Tiling, Window
@@ -48,7 +48,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     """
     image, output = os.fspath(image), os.fspath(output)
     _check(parameters, region_size, num_iterations, value_range, depth_range, workers)
-    start_label = operator.index(start_label)
+    start_label = label_number(start_label)
     source = Source.open(image, None if bands is None else tuple(bands))
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
@@ -56,7 +56,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
     if not may_be_replaced(output):
-        raise ValueError("output must not be there as anything but an array of Zarr, or a file of another name, as %s"
+        raise ValueError("output must not be a folder, or a file named .zarr, that is there and no array of Zarr, as %s"
                          " is" % output)
     if depths is not None and depth_range is None:
         depth_range = depths.range(of_depth=True)

@@ -20,7 +20,7 @@ def is_zarr(name: str) -> bool:
 
 
 def may_be_replaced(name: str) -> bool:
-    """Whether nothing is there, or what would be written: an array of Zarr, or a file of another name."""
+    """Whether nothing is there, or what would be written: an array of Zarr, or a file whose name does not say so."""
     return (not (is_zarr(name) and os.path.exists(name)) or
             any(os.path.exists(os.path.join(name, part)) for part in (".zarray", "zarr.json")))
 
