@@ -328,7 +328,8 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
     const int WIDTHS[] = { 80, 80, 80, 80, 7, 150 }; // narrower than what is read at once, and runs that are longer
     for (int i = 0; i < 8; i++)
     {
-        const Mat image = i < 6 ? makeScene(Size(WIDTHS[i], 4800 / WIDTHS[i]), rng) : makeShades(Size(60 * i - 260, 60));
+        const Mat image = i < 6 ? makeScene(Size(WIDTHS[i], 4800 / WIDTHS[i]), rng)
+                                : makeShades(Size(60 * i - 260, 60));
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
         gws->iterate();
         std::vector<KeyedCosts> history;
