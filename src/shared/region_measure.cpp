@@ -22,8 +22,9 @@ struct ColorSum
             channels[k] += s.channels[k];
         across += s.across;
         down += s.down;
-        for (int k = 0; k < 6; k++)
-            rises[k / 2][k % 2] += s.rises[k / 2][k % 2];
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 2; i++)
+                rises[k][i] += s.rises[k][i];
         area += s.area;
         depth_area += s.depth_area;
     }
@@ -39,8 +40,9 @@ struct ColorSum
     RegionTexture toTexture(const short* weights) const
     {
         RegionTexture texture = { {}, float(across), float(down) };
-        for (int k = 0; k < 6; k++)
-            texture.rises[k / 2][k % 2] = float(rises[k / 2][k % 2]);
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 2; i++)
+                texture.rises[k][i] = float(rises[k][i]);
         texture.scaleRises(weights, 1);
         return texture;
     }
