@@ -305,8 +305,6 @@ std::pair<RegionKey, RegionKey> findUnion(const Mat& before, const Mat& after, i
     return std::pair<RegionKey, RegionKey>();
 }
 
-// Two regions are united only if they were the best neighbours of each other when their round began, which is at some
-// time since both of them are what they are.
 //! Two ramps of colours beside each other, with a blurred edge between them.
 Mat makeShades(Size size)
 {
@@ -322,6 +320,8 @@ Mat makeShades(Size size)
     return image;
 }
 
+// Two regions are united only if they were the best neighbours of each other when their round began, which is at some
+// time since both of them are what they are.
 TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
 {
     RNG& rng = theRNG();
