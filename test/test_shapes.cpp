@@ -447,16 +447,16 @@ double shareInOwnSuperpixels(const Mat& labels, const Rect& line)
     return share;
 }
 
-//! The least of these shares for lines at all offsets to the blocks.
-double leastShareOfLines(int width, int region_size, int times)
+//! The least of these shares for lines at all offsets to blocks of 3x3 and 4x4 pixels.
+double leastShareOfLines(int width, int region_size, int times, const Scalar& color = Scalar(40, 40, 180))
 {
     double least = 1;
-    for (int offset = 0; offset < 4; offset++)
+    for (int offset = 0; offset < 12; offset++)
         for (int upright = 0; upright < 2; upright++)
         {
             Mat image(240, 320, CV_8UC3, Scalar::all(200));
             const Rect line = upright ? Rect(140 + offset, 0, width, 240) : Rect(0, 100 + offset, 320, width);
-            image(line).setTo(Scalar(40, 40, 180));
+            image(line).setTo(color);
             least = std::min(least, shareInOwnSuperpixels(superpixels(image, region_size, 10, times), line));
         }
     return least;
@@ -466,10 +466,9 @@ TEST(ximgproc_SuperpixelGWatershed, thin_lines_have_superpixels_of_their_own)
 {
     for (int width = 1; width <= 3; width++)
     {
-        if (width > 1) // one pixel is a third of a block there
-        {
-            EXPECT_GE(leastShareOfLines(width, 13, 1), 0.9) << width;
-        }
+        EXPECT_GE(leastShareOfLines(width, 12, 1), 0.9) << width;
+        EXPECT_GE(leastShareOfLines(width, 13, 1), 0.9) << width;
+        EXPECT_GE(leastShareOfLines(width, 13, 1, Scalar::all(150)), 0.9) << width;
         EXPECT_GE(leastShareOfLines(width, 20, 1), 0.9) << width;
         // Larger superpixels may lose them: four times as many, which are merged, do not.
         EXPECT_GE(leastShareOfLines(width, 30, 4), 0.9) << width;

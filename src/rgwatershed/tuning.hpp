@@ -173,12 +173,16 @@ inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_
     return blocks_per_superpixel < FEW_BLOCKS && markers_per_superpixel > 1 ? of_few : usual;
 }
 
-//! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level. So regions that are large enough for
-//! blocks of 4x4, but have smaller ones for a small ruler or a high effort, would be more compact than with these.
+//! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level, so one sweep leaves rows of pixels
+//! beside a line where they were. With two of them, as with blocks of 4x4, the others that a small ruler may ask for
+//! must have two as well, or superpixels would be more compact with these. Below 12x12 pixels that would take too long.
 inline int sweepsOfPixels(int side_of_blocks, double pixels_per_region, const EffortRules& effort)
 {
-    const double enough = std::min(effort.blocks_for_side * std::sqrt(pixels_per_region), 12.); // blocks of 4x4
-    return side_of_blocks == 3 && pixels_per_region >= 16 * enough ? 2 : 1;
+    const double LARGE = 132, enough = effort.blocks_for_side * std::sqrt(pixels_per_region);
+    const bool has_room_for_3 = pixels_per_region >= std::max(LARGE, 9 * std::min(enough, effort.most_blocks));
+    const bool has_room_for_4 = pixels_per_region >= 16 * std::min(enough, 12.);
+    const bool two = side_of_blocks == 2 ? has_room_for_3 : side_of_blocks == 3 && (has_room_for_3 || has_room_for_4);
+    return two ? 2 : 1;
 }
 
 //! With normals, depth is measured against planes, so both are trusted more beside colour.
