@@ -167,6 +167,18 @@ TEST(ximgproc_SuperpixelGWatershed, stripes_of_two_blocks_have_no_superpixel_ove
             }
 }
 
+// There superpixels are swept twice when they have their pixels, and grow each time.
+TEST(ximgproc_SuperpixelGWatershed, blurred_stripes_of_three_small_blocks_have_no_superpixel_over_the_image)
+{
+    for (int kind = UPRIGHT_STRIPES; kind <= LEVEL_STRIPES; kind++)
+        for (int cut = 0; cut < 60; cut += 2)
+        {
+            Mat image = makePattern(PatternKind(kind), 9, true)(Range(cut / 2, 240), Range(cut, 320)).clone();
+            GaussianBlur(image, image, Size(), 0.8);
+            EXPECT_LE(extremeAreas(superpixels(image, 13))[1], 4) << kind << ", " << cut;
+        }
+}
+
 TEST(ximgproc_SuperpixelGWatershed, cells_of_a_grid_on_an_even_image)
 {
     const Size sizes[] = { Size(320, 240), Size(640, 480), Size(481, 321), Size(240, 320) };

@@ -85,8 +85,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
                                 : num_superpixels;
     sweeps_of_pixels = sweepsOfPixels(levels.side(top), double(frame.num_pixels) / num_regions, effort);
     const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
-    most_area = frame.markers.empty() && !depth_adaptive ? MOST_AREA * pixels_in_blocks / num_superpixels
-                                                         : double(INT_MAX);
+    const double most = sweeps_of_pixels == 1 ? MOST_AREA : MOST_AREA_IN_TWO;
+    most_area = frame.markers.empty() && !depth_adaptive ? most * pixels_in_blocks / num_superpixels : double(INT_MAX);
     band_height = floodBandHeight(blocks, num_superpixels);
     sweep_before_merging.length_price = boundaryPrice(effort.price_before_merging, side, ruler);
     sweep.length_price = boundaryPrice(PRICE * sweeps.price, side, ruler);

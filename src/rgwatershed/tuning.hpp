@@ -23,6 +23,7 @@ enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker
 static const int USUAL_FLOOD_AREA = 4;         // of a region, in mean areas; larger ones come last
 static const double MOST_AREA = 3.1;           // of a superpixel, in mean areas, that still gains blocks or pixels
+static const double MOST_AREA_IN_TWO = 2.8;    // the same where two sweeps of the pixels follow the blocks
 static const int SWEEPS_OF_BLOCKS = 2;         // on each level between the blocks that are flooded and the pixels
 static const int SWEEPS_PER_ITERATION = 2;     // of pixels, for each iteration after the first
 static const int ITERATIONS_WITH_TIES = 16;    // then, depth alone moves no pixel any more: some would go to and fro
