@@ -174,9 +174,10 @@ inline BlockSweeps sweepsOfBlocks(double blocks_per_superpixel, int markers_per_
     return blocks_per_superpixel < FEW_BLOCKS && markers_per_superpixel > 1 ? of_few : usual;
 }
 
-//! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level, so one sweep leaves rows of pixels
-//! beside a line where they were. With two of them, as with blocks of 4x4, the others that a small ruler may ask for
-//! must have two as well, or superpixels would be more compact with these. Below 12x12 pixels that would take too long.
+//! Sweeps of the pixels. Between blocks of 3x3 and the pixels there is no level, and one sweep leaves rows of pixels
+//! beside a line where they were. So there are two, but below 12x12 pixels, where they would take too long. A smaller
+//! ruler may ask for smaller blocks. These have two as well where the larger ones have two, or 4x4 pixels, whose
+//! superpixels are swept on a level between: else superpixels would be more compact with the smaller ruler.
 inline int sweepsOfPixels(int side_of_blocks, double pixels_per_region, const EffortRules& effort)
 {
     const double LARGE = 132, enough = effort.blocks_for_side * std::sqrt(pixels_per_region);
