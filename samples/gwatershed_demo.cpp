@@ -275,7 +275,7 @@ int main(int argc, char** argv)
             gws->setEffort(effort);
             gws->setAlpha(alpha);
             gws->setFocalLength(focal);
-            if (num_superpixels > 0)
+            if (num_superpixels != 0)
                 gws->setDesiredSuperpixels(num_superpixels);
             segmentFile(image, depth, *gws, iterations, output);
             return 0;

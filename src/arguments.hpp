@@ -20,7 +20,7 @@ void checkSize(int64 width, int64 height);
 Mat checkImage(InputArray input);
 //! The depth of an image of a size; may be empty.
 Mat checkDepth(InputArray input, Size size);
-//! An image to measure, of any depth and number of channels; may be empty.
+//! An image to measure, of any depth but 64-bit integers, and any number of channels; may be empty.
 Mat checkValues(InputArray input, Size size);
 //! CV_8UC1; may be empty.
 Mat checkMask(InputArray input);

@@ -10,7 +10,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-const int OUTLIERS = 1000;  //!< one value in so many may lie outside, on each side
+const int OUTLIERS = 1000;  //!< one value in so many may lie outside of the usual range, or is left out at each end
 const int SHARE_OF_NOMINAL = 16; //!< values that span less than one part in so many are stretched
 
 //! The range of the frame, where white and black are not those of the type. T holds the values and their differences.

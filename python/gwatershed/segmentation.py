@@ -42,7 +42,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
     gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth), num_iterations)
     labels = gws.getLabels()
     if start_label:
-        if not -2**31 <= start_label <= 2**31 - 1 - labels.max():
+        if not -2**31 - min(labels.min(), 0) <= start_label <= 2**31 - 1 - labels.max():
             raise ValueError("start_label must be a number from which all labels fit 32 bits, not %d" % start_label)
         labels += np.int32(start_label)
     return labels

@@ -446,8 +446,8 @@ class NarrowLabelsTest(unittest.TestCase):
             self.assertTrue((table["area"] == 3).all())
 
     def test_labels_fit_32_bits(self):
-        with self.assertRaisesRegex(ValueError, "start_label"):
-            gwatershed.segment(make_image(), start_label=2 ** 31 - 1)
+        for n, m in (2 ** 31 - 1, None), (-2 ** 31, make_image()[:, :, 0] > 99):
+            self.assertRaisesRegex(ValueError, "start_label", gwatershed.segment, make_image(), mask=m, start_label=n)
 
     def test_labels_begin_with_an_integer(self):
         for begin in (1.5, 1.0, "1"):

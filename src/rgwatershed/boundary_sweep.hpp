@@ -26,7 +26,7 @@ struct SweepRules
 };
 
 //! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
-//! region stays one piece. Holds the state between sweeps, so there is one for each size of images.
+//! region stays one piece. Holds the state between sweeps, so there is one for each level.
 //!
 //! A sweep takes the four classes of pixels in turn. No two pixels of a class are neighbours, so all of them can choose
 //! and move at once: what they chose holds, and the order does not matter. Means are those of the beginning of the

@@ -9,12 +9,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! One image with all that is needed to segment it. All matrices have its size, or are empty.
+//! One image with all that is needed to segment it. All matrices but normals have its size, or are empty.
 struct Frame
 {
     Mat color;   //!< 8-bit with 1, 3 or 4 channels
     Mat depth;   //!< CV_8UC1, 0 where it is missing; empty if there is no depth
-    Mat normals; //!< CV_8UC2, as Normal; empty if there are none
+    Mat normals; //!< CV_8UC2, as Normal, of blocks of 2x2 pixels; empty if there are none
     Camera camera; //!< of the normals
     Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty if all pixels are inside
     Mat markers; //!< CV_32SC1, the label of a marker, or below 0; empty if markers are not given by the user

@@ -61,7 +61,7 @@ inline MarkerBand wholeBand(Size size, int num_markers)
     return band;
 }
 
-//! Divides the grid into bands of whole rows of cells, each at least `height` pixels high if the image is.
+//! Divides the grid into bands of whole rows of cells, each at least `height` rows of elements high if the grid is.
 void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>& bands);
 
 }}} // namespace

@@ -25,16 +25,6 @@ struct RegionMean
     enum { NO_DEPTH = -1 };
 };
 
-//! The mean of one pixel.
-inline RegionMean meanOf(const Feature& f)
-{
-    RegionMean mean;
-    for (int k = 0; k < 3; k++)
-        mean.color[k] = short(STEPS_PER_LEVEL * f.color[k]);
-    mean.depth = short(f.depth ? STEPS_PER_LEVEL * f.depth : int(RegionMean::NO_DEPTH));
-    return mean;
-}
-
 static const int64 FIXED_ONE = int64(1) << 48; //!< STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits
 
 //! FIXED_ONE over the areas that most regions have while they are flooded: everything waits for a division there.

@@ -410,9 +410,9 @@ public:
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
     the default, for the usual range: 0 to 255, 511, 1023, ... or 65535 for CV_16U, the first one that the values of the
-    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all span
-    less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the frame: from the lowest to the
-    highest finite value but one in 1000 at each end, of a sample if the image is large.
+    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all but
+    one in 1000 at each end span less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the
+    frame: from the lowest to the highest finite value but these, of a sample if the image is large.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
     also for a sensor with more than one saturated pixel in 1000, and for floats that use a small part of 0 to 1. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
@@ -428,10 +428,10 @@ public:
     both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its valid depths (of a
     sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes 7/8 of that
     range, as where a part of the frame is far behind all else or holds a value that means "no depth", it gets fewer
-    levels, and depths on both sides are told apart. CV_8UC1 is taken as it is if both are 0. For a video set a range.
+    levels. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is the nearest
     thousandth, not the hundredth, but at most a quarter of the range nearer; a near_depth below half of that counts as
-    half of it. Differences below 1/2500 of the inverse near end do not count. CV_64FC1 is read as CV_32FC1. */
+    half of it, one below far_depth / 256 as that. Differences below 1/2500 of the inverse near end do not count. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
