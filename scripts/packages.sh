@@ -23,7 +23,8 @@ mkdir -p "$logs"
 
 # Runs one of the ways of README's block of installing, as it stands there, in the folder of the repository.
 run_readme() { # NUMBER
-    inside $release ln -sfn /build /gwatershed/build # kept from the last time
+    inside $release mkdir -p /build # kept from the last time
+    inside $release ln -sfn /build /gwatershed/build
     inside $release sh -ec "cd /gwatershed
         sudo() { \"\$@\"; }
         export CMAKE_BUILD_PARALLEL_LEVEL=$(nproc)
