@@ -234,11 +234,11 @@ void scaleDoubles(const Mat& row, RangeOf<double> range, Mat& values, Mat& scale
     values.convertTo(scaled, CV_8U);
 }
 
-//! The same for integers of up to 16 bits, which need no care.
-void scaleIntegers(const Mat& row, RangeOf<double> range, Mat& scaled)
+//! The same for integers of up to 16 bits. In two steps: not all processors round a product before they add to it.
+void scaleIntegers(const Mat& row, RangeOf<double> range, Mat& values, Mat& scaled)
 {
-    const double scale = 255 / (range.last - range.first);
-    row.convertTo(scaled, CV_8U, scale, -scale * range.first);
+    row.convertTo(values, CV_32F, 1, -range.first);
+    values.convertTo(scaled, CV_8U, 255 / (range.last - range.first));
 }
 
 //! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them.
@@ -260,7 +260,7 @@ void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
         {
             Mat to = scaled.row(y);
             if (is_moderate && depth <= CV_16S)
-                scaleIntegers(image.row(y), range, to);
+                scaleIntegers(image.row(y), range, values, to);
             else if (is_moderate && (depth == CV_32F || depth == CV_16F))
                 scaleFloats(image.row(y), range, values, to);
             else
@@ -276,11 +276,13 @@ template <typename T> RangeOf<double> findRange(const Mat& image, const Mat& mas
     return range;
 }
 
+bool isAutomatic(FloatRange set) { return set.first == 0 && set.last == 0; }
+
 //! That of the frame, if the user sets none. Floats would not tell the values of large types apart.
 RangeOf<double> chooseRange(const Mat& image, const Mat& mask, FloatRange set)
 {
     const bool is_large = image.depth() == CV_32S || image.depth() == CV_64F;
-    if (set.first == 0 && set.last == 0)
+    if (isAutomatic(set))
         return is_large ? findRange<double>(image, mask) : findRange<float>(image, mask);
     const RangeOf<double> range = { set.first, set.last };
     return range;
@@ -303,15 +305,12 @@ void addMeanChannel(const Mat& two, Mat& three)
 Mat convertImage(const Mat& image, const Mat& mask, FloatRange range, Mat& buffer)
 {
     CV_TRACE_FUNCTION();
-    const bool is_pair = image.channels() == 2;
-    Mat bytes = image;
-    if (image.depth() != CV_8U)
-    {
-        bytes = is_pair ? Mat() : buffer;
-        scaleImage(image, chooseRange(image, mask, range), bytes);
-        if (!is_pair)
-            buffer = bytes;
-    }
+    const bool is_pair = image.channels() == 2, is_ready = image.depth() == CV_8U && isAutomatic(range);
+    Mat pair;
+    Mat& scaled = is_pair ? pair : buffer;
+    if (!is_ready)
+        scaleImage(image, chooseRange(image, mask, range), scaled);
+    const Mat& bytes = is_ready ? image : scaled;
     if (!is_pair)
         return bytes;
     addMeanChannel(bytes, buffer);

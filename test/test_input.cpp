@@ -386,6 +386,23 @@ std::vector<float> stepsOf(const Mat& values, float low, float high, int algorit
     return contrasts;
 }
 
+TEST_P(ximgproc_GWatershed_input, takes_the_range_that_is_set_for_8_bits_too)
+{
+    const uchar values[] = { 90, 95, 95, 102, 115, 7, 200 };
+    const float expected[] = { 51, 0, 71.4f, 132.6f, 255, 255 };
+    const std::vector<float> steps = stepsOf(Mat(1, 7, CV_8UC1, const_cast<uchar*>(values)), 90, 115, GetParam());
+    ASSERT_EQ(6u, steps.size());
+    for (int i = 0; i < 6; i++)
+        EXPECT_NEAR(expected[i], steps[i], 1) << i;
+    const Mat scene = makeScene(Size(90, 70), theRNG()), dark = scene / 10;
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(dark, GetParam());
+    gws->setValueRange(0, 25.5f);
+    gws->iterate();
+    Mat stretched;
+    dark.convertTo(stretched, CV_8U, 10);
+    EXPECT_TRUE(equalMats(segment(stretched, GetParam(), 10), labelsOf(gws)));
+}
+
 TEST_P(ximgproc_GWatershed_input, takes_values_of_any_magnitude)
 {
     for (const double top : { 1e-38, 1e-30, 1e30, 2e38, 3.4e38, 1e-300, 1e-100, 1e39, 1e100, 1.7e308 })

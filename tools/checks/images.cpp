@@ -120,6 +120,8 @@ Mat makeImage(const Scene& scene, int frame, int type)
                     image.ptr(y)[x * cn + k] = uchar(value >> 8);
                 else if (image.depth() == CV_16U)
                     image.ptr<ushort>(y)[x * cn + k] = ushort(value);
+                else if (image.depth() == CV_16S)
+                    image.ptr<short>(y)[x * cn + k] = short(value - 32768);
                 else
                     image.ptr<float>(y)[x * cn + k] = floatColor(value, noiseAt(scene.seed + 1, x, y, k, frame));
             }

@@ -100,15 +100,18 @@ static unsigned long long hashCase(int number)
     const Size sizes[] = { Size(1, 1), Size(300, 1), Size(1, 170), Size(2, 2), Size(17, 13), Size(64, 48),
                            Size(131, 97), Size(131, 97), Size(98, 150), Size(160, 120), Size(160, 120),
                            Size(239, 181), Size(61, 401), Size(333, 222) };
-    const int depths[] = { CV_8U, CV_8U, CV_16U, CV_32F }, channels[] = { 1, 3, 3, 4 };
+    const int types[] = { CV_8U, CV_8U, CV_16U, CV_16U, CV_16S, CV_32F }, channels[] = { 1, 3, 3, 4 };
+    const int depths[] = { CV_8U, CV_8U, CV_16U, CV_32F };
     Numbers numbers(number);
     const Size size = numbers.from(sizes);
     const ImageKind kind = ImageKind(numbers.below(2) ? SCENE : numbers.below(IMAGE_KINDS));
     const Scene scene = { kind, size, uint64(1000 + number), numbers.below(5) };
-    const int type = CV_MAKETYPE(numbers.from(depths), numbers.from(channels)), depth_type = numbers.from(depths);
+    const int type = CV_MAKETYPE(numbers.from(types), numbers.from(channels)), depth_type = numbers.from(depths);
     const bool with_depth = numbers.below(2) == 0, merges = numbers.below(2) == 0;
     const int iterations = 1 + numbers.below(4);
     Ptr<SuperpixelGWatershed> gws = makeObject(number, size, numbers);
+    if (CV_MAT_DEPTH(type) == CV_16U && numbers.below(2))
+        gws->setValueRange(777.7f, 60000);
 
     Hash hash;
     const int frames = gws->getTemporal() ? 5 : 1;

@@ -66,7 +66,7 @@ label, which are -1 (setMask(), setMarkers()), and results that depend on earlie
 The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so
 give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two
 channels count alike, but for the gradient of setBorderThreshold(). If there are more, choose some by
-cv::extractChannel(), or reduce them by cv::PCA. The largest image has (width + 2) * (height + 2) < 2^31 - 3.
+cv::extractChannel(), or reduce them by cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
@@ -403,18 +403,18 @@ public:
     /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
 
-    /** @brief Sets the range of values that becomes 0 to 255, for images that do not have 8 bits.
+    /** @brief Sets the range of values that becomes 0 to 255.
 
-    The map is the same for all channels, so that distances stay in proportion. 8-bit images are taken as they are.
+    The map is the same for all channels, so that distances stay in proportion.
 
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
-    the default, for the usual range: 0 to 255, 511, 1023, ... or 65535 for CV_16U, the first one that the values of the
-    frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all but
-    one in 1000 at each end span less than a sixteenth of it, and for CV_16S and CV_32S always, it is the range of the
-    frame: from the lowest to the highest finite value but these, of a sample if the image is large.
+    the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first one that
+    the values of the frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside
+    of it, or all but one in 1000 at each end span less than a sixteenth of it (not for CV_8U), and always for CV_16S
+    and CV_32S, it is the range of the frame: from the lowest to the highest finite value but these, or of a sample.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
-    also for a sensor with more than one saturated pixel in 1000, and for floats that use a small part of 0 to 1. */
+    also for a sensor with more than one saturated pixel in 1000, and for 8 bits and floats that use a small part. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
     /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
     CV_WRAP virtual float getLowValue() const = 0;
