@@ -15,6 +15,8 @@ void checkSize(int64 width, int64 height)
 {
     const double nodes = double(width + 2) * double(height + 2);
     CV_Check(nodes, nodes < INT_MAX - 2, "image, with a frame of one pixel, must have fewer than 2^31 - 3 pixels");
+    const double side = double(std::max(width, height)); // an int holds four times as much
+    CV_Check(side, side < (1 << 29) - 16, "image must have fewer than 2^29 - 16 columns and rows");
 }
 
 //! In Python an array of the shape (H, W, 0) becomes a matrix of many channels that has no memory.
@@ -70,6 +72,8 @@ Mat checkValues(InputArray input, Size size)
         return Mat();
     const Mat image = takeMatrix(input, "image");
     CV_CheckEQ(image.size(), size, "image must have the size of the label map");
+    const double in_row = double(image.cols) * image.channels();
+    CV_Check(in_row, in_row < INT_MAX, "image must have fewer than 2^31 - 1 values in a row");
 #ifdef CV_64S // since OpenCV 5
     const int depth = image.depth();
     CV_CheckDepth(depth, depth != CV_64S && depth != CV_64U,

@@ -67,6 +67,12 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_more_pixels_than_an_index_can_name)
         EXPECT_TRUE(isRefused([&] { gws->iterate(image); }, "fewer than 2^31"));
         EXPECT_TRUE(isRefused([&] { gws->iterate(image, image); }, "fewer than 2^31"));
     }
+    for (const Size size : { Size((1 << 29) - 16, 1), Size(1, (1 << 29) - 16) })
+    {
+        const Mat image(size, CV_8SC4, &byte);
+        EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(image); }, "fewer than 2^29 - 16"));
+        EXPECT_TRUE(isRefused([&] { gws->iterate(image); }, "fewer than 2^29 - 16"));
+    }
     EXPECT_TRUE(equalMats(before, labelsOf(gws)));
     gws->iterate(small);
     EXPECT_TRUE(equalMats(before, labelsOf(gws)));
