@@ -395,24 +395,6 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
     return gws;
 }
 
-static Ptr<SuperpixelGWatershed> createForImage(const Mat& image, const Mat& depth, int algorithm,
-                                                int region_size, float ruler, float alpha)
-{
-    gws::Parameters parameters;
-    parameters.setAlgorithm(algorithm);
-    parameters.setRegionSize(region_size);
-    parameters.setRuler(ruler);
-    parameters.setAlpha(alpha);
-
-    Ptr<SuperpixelGWatershedImpl> gws;
-    guardMemory([&]()
-    {
-        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
-        gws->keep(image, depth);
-    });
-    return gws;
-}
-
 //! @note In Python, None is the number 0: it stands for no depth here, and the arguments are those after it.
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, int algorithm, int region_size,
                                                      float ruler)
@@ -426,8 +408,20 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, int algor
 Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, InputArray depth, int algorithm,
                                                      int region_size, float ruler, float alpha)
 {
-    const Mat checked = gws::checkImage(image);
-    return createForImage(checked, gws::checkDepth(depth, checked.size()), algorithm, region_size, ruler, alpha);
+    const Mat checked = gws::checkImage(image), checked_depth = gws::checkDepth(depth, checked.size());
+    gws::Parameters parameters;
+    parameters.setAlgorithm(algorithm);
+    parameters.setRegionSize(region_size);
+    parameters.setRuler(ruler);
+    parameters.setAlpha(alpha);
+
+    Ptr<SuperpixelGWatershedImpl> gws;
+    guardMemory([&]()
+    {
+        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
+        gws->keep(checked, checked_depth);
+    });
+    return gws;
 }
 
 }} // namespace

@@ -77,18 +77,13 @@ std::vector<float> sampleDepths(const Mat& depth, int64 step)
     const size_t size = depth.elemSize(), total = depth.total();
     std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
     uchar* to = bytes.data();
-    visitSample(depth.size(), step, [&](int y, int x)
-    {
-        const uchar* from = depth.ptr(y) + size * x;
-        for (size_t i = 0; i < size; i++)
-            *to++ = from[i];
-    });
+    visitSample(depth.size(), step, [&](int y, int x) { to = std::copy_n(depth.ptr(y, x), size, to); });
     std::vector<float> depths(bytes.size() / size);
     readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
     return depths;
 }
 
-//! From a sample, or from all pixels if it has none with depth.
+//! From a sample, or from all pixels if it does not have two depths.
 DepthSpan findSpan(const Mat& depth)
 {
     const int64 MANY = 8192, total = int64(depth.rows) * depth.cols;
@@ -108,7 +103,7 @@ DepthSpan findSpan(const Mat& depth)
 //! All bits where there is a depth.
 inline v_int32x4 hasDepth(const v_float32x4& depth)
 {
-    return v_shr<31>(subtract(v_setzero_s32(), v_reinterpret_as_s32(depth)));
+    return isPositive(v_reinterpret_as_s32(depth));
 }
 
 //! Levels of four depths, 0 where depth is missing.
@@ -343,7 +338,7 @@ void smoothRow(const int* above, const int* row, const int* below, int cols, std
     for (int x = 0; x < cols; x += 4)
     {
         const v_int32x4 sum = add(add(v_load(sums + x), v_load(sums + x + 1)), v_load(sums + x + 2));
-        const v_int32x4 known = v_shr<31>(subtract(v_setzero_s32(), v_load(row + x))); // all bits
+        const v_int32x4 known = isPositive(v_load(row + x));
         NormalSum::mean(bitAnd(sum, known), to + x);
     }
 }

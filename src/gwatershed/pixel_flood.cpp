@@ -36,13 +36,20 @@ static inline int commonLabel(const FloodPixel* pixel, int step)
     return last - 1u == first ? last : int(LINE);
 }
 
+//! Reads a pixel that will be needed soon, so that it is in the cache by then.
+static inline void touch(const FloodPixel& pixel)
+{
+    const volatile int& state = pixel.state;
+    static_cast<void>(int(state));
+}
+
 //! Reads the rows that some pixels of a batch will need. They lie anywhere in the image: so they are
 //! fetched at the same time, instead of one after the other.
 static void touchRows(const FloodPixel* pixels, int step, const std::vector<int>& batch, size_t begin, size_t end)
 {
     for (size_t i = begin; i < std::min(end, batch.size()); i++)
         for (int row = -step; row <= step; row += step)
-            touch(pixels[batch[i] + row].state);
+            touch(pixels[batch[i] + row]);
 }
 
 //! The neighbours that no one has reached yet, as bits.

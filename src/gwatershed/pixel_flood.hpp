@@ -11,7 +11,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The 256 queues of Algorithm 1.
-typedef BucketQueue<int, 256> PixelQueue;
+typedef BucketQueue<256> PixelQueue;
 
 //! Buffers of the flood.
 struct PixelFloodBuffers

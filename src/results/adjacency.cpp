@@ -3,10 +3,25 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "results/adjacency.hpp"
-#include "shared/pixel.hpp"
 #include "results/region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
+
+//! A pixel for contrasts: 8-bit colour (all three equal in a gray image) and scaled depth, 0 if it is missing.
+struct Pixel
+{
+    uchar b, g, r, depth;
+};
+
+//! Equations (1) to (3) of the paper, 0..255. alpha is in 1/256.
+//! @note If the depth of p or q is missing, colour alone counts.
+static int distance(const Pixel& p, const Pixel& q, int alpha)
+{
+    const int color = std::max(std::max(std::abs(p.b - q.b), std::abs(p.g - q.g)), std::abs(p.r - q.r));
+    if (p.depth == 0 || q.depth == 0)
+        return color;
+    return (alpha * color + (256 - alpha) * std::abs(p.depth - q.depth) + 128) >> 8;
+}
 
 //! Contrast of neighbouring pixels: their distance, equations (1) to (3).
 struct PixelContrast
@@ -58,8 +73,7 @@ void listAdjacency(const Mat& labels, int num_labels, const Mat& color, const Ma
                    Mat& lengths, Mat& contrasts)
 {
     CV_TRACE_FUNCTION();
-    RegionGraph graph;
-    graph.reset(num_labels);
+    RegionGraph graph(num_labels);
     if (color.empty())
         addBoundaries(labels, NoContrast(), graph);
     else

@@ -30,8 +30,7 @@ static int closestNeighbor(RegionGraph& graph, int region)
 int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
 {
     CV_TRACE_FUNCTION();
-    RegionGraph graph;
-    graph.reset(num_labels);
+    RegionGraph graph(num_labels);
     std::vector<int> areas(num_labels, 0), numbers;
     addBoundaries(labels, NoContrast(), graph);
     for (int y = 0; y < labels.rows; y++)

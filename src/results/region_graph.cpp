@@ -6,18 +6,14 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void RegionGraph::reset(int num_regions)
+RegionGraph::RegionGraph(int num_regions) : firsts_(num_regions, int(NONE)), parents_(num_regions)
 {
     const size_t usual = 3 * size_t(num_regions); // boundaries
     size_t slots = 16;
     while (slots < 2 * usual)
         slots *= 2;
     table_.assign(slots, int(NONE));
-    num_filled_ = 0;
-    boundaries_.clear();
     boundaries_.reserve(usual);
-    firsts_.assign(num_regions, int(NONE));
-    parents_.resize(num_regions);
     for (int i = 0; i < num_regions; i++)
         parents_[i] = i;
 }

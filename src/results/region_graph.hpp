@@ -29,8 +29,8 @@ public:
         int side(int region) const { return regions[1] == region; }
     };
 
-    //! Regions without boundaries. Memory stays from one graph to the next.
-    void reset(int num_regions);
+    //! Regions without boundaries.
+    explicit RegionGraph(int num_regions);
 
     //! Adds edges between pixels of the regions a != b, and the sum of their contrasts.
     void add(int a, int b, int length, int64 contrast);

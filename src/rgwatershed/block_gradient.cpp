@@ -40,7 +40,7 @@ static inline v_uint32x4 gradientOfColorsAndDepths(const Feature* f, int step, c
     const v_uint32x4 color = v_dotprod_expand(beside, ones, v_dotprod_expand(upright, ones));
     const v_uint32x4 depth = add(v_shr<24>(v_reinterpret_as_u32(beside)), v_shr<24>(v_reinterpret_as_u32(upright)));
     const v_uint32x4 lowest = v_shr<24>(v_reinterpret_as_u32(v_min(v_min(left, right), v_min(upper, lower))));
-    const v_int32x4 have_depth = v_shr<31>(subtract(v_setzero_s32(), v_reinterpret_as_s32(lowest))); // all bits
+    const v_int32x4 have_depth = isPositive(v_reinterpret_as_s32(lowest));
     const v_int16x8 pairs = v_reinterpret_as_s16(add(color, v_shl<16>(depth)));
     const v_int32x4 with = v_shr<GRADIENT_SHIFT + 8>(v_dotprod(pairs, shares)); // weights are in 1/256
     const v_int32x4 without = v_reinterpret_as_s32(v_shr<GRADIENT_SHIFT>(color));

@@ -9,11 +9,6 @@ namespace cv { namespace ximgproc { namespace gws {
 enum { AT_ONCE = 4 }; // blocks
 enum { SUMS = 8 };     // of a RegionTexture
 
-static v_uint8x16 load(const Feature* row, const int* places)
-{
-    return loadFour(row[places[0]], row[places[1]], row[places[2]], row[places[3]]);
-}
-
 //! Two steps from corners to others in each of two blocks, channel by channel: without their signs, and with them.
 struct Steps
 {
@@ -53,8 +48,8 @@ static void findSteps(const Feature* upper, const Feature* lower, const int* lef
 {
     for (int x = 0; x < n; x += AT_ONCE, steps += AT_ONCE * SUMS)
     {
-        const Halves a(load(upper, lefts + x)), b(load(upper, rights + x));
-        const Halves c(load(lower, lefts + x)), d(load(lower, rights + x));
+        const Halves a(gather(upper, lefts + x)), b(gather(upper, rights + x));
+        const Halves c(gather(lower, lefts + x)), d(gather(lower, rights + x));
         const Steps across(a.low, b.low, c.low, d.low), more_across(a.high, b.high, c.high, d.high);
         const Steps down(a.low, c.low, b.low, d.low), more_down(a.high, c.high, b.high, d.high);
         int words[AT_ONCE];

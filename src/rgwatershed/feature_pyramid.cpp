@@ -8,14 +8,15 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mean of the depths that are valid.
-static uchar meanDepth(const Feature* const* elements, int n)
+//! Mean of the depths of 3x3 elements that are valid.
+static uchar meanDepth(const Feature* const rows[3], int x)
 {
     int sum = 0, valid = 0;
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < 9; i++)
     {
-        sum += elements[i]->depth;
-        valid += elements[i]->depth != 0;
+        const int depth = rows[i / 3][x + i % 3].depth;
+        sum += depth;
+        valid += depth != 0;
     }
     return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
 }
@@ -156,12 +157,7 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
         for (int x = 0; x < width; x += 2)
             meanOfColumns(&sums[3 * CHANNELS * x], &means[x]);
         for (int x = 0; with_depth && x < width; x++)
-        {
-            const Feature* of_block[9];
-            for (int i = 0; i < 9; i++)
-                of_block[i] = from[i / 3] + 3 * x + i % 3;
-            means[x].depth = meanDepth(of_block, 9);
-        }
+            means[x].depth = meanDepth(from, 3 * x);
         std::copy(means.begin(), means.begin() + width, thirds.row(y));
     }
 }

@@ -8,13 +8,13 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The largest blocks of which an image has as many as it must keep.
-static BlockLevels chooseLevels(Size size, double fewest_blocks)
+static BlockLevels chooseLevels(Size size, double fewest_blocks, bool centered)
 {
-    const BlockLevels CHOICES[] = { { 2, 2, true }, { 1, 3, true }, { 1, 2, true } };
+    const BlockLevels CHOICES[] = { { 2, 2, centered }, { 1, 3, centered }, { 1, 2, centered } };
     for (const BlockLevels& levels : CHOICES)
         if (double(levels.sizeOf(levels.top, size).area()) >= fewest_blocks)
             return levels;
-    const BlockLevels pixels = { 0, 2, true };
+    const BlockLevels pixels = { 0, 2, centered };
     return pixels;
 }
 
@@ -50,7 +50,7 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
     const double fewest_blocks =
             !frame.markers.empty() ? DBL_MAX : fewestBlocks(frame.num_pixels, frame.num_superpixels, parameters.ruler,
                                                             effortRules(frame, parameters));
-    return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks)
+    return frame.mask.empty() ? chooseLevels(frame.color.size(), fewest_blocks, frame.normals.empty())
                               : chooseLevels(masks, frame.num_superpixels, fewest_blocks);
 }
 
@@ -62,7 +62,6 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)
 {
-    levels.centered = frame.mask.empty() && frame.normals.empty();
     const EffortRules& effort = effortRules(frame, parameters);
     const bool masked = !frame.mask.empty();
     const double side = sideOf(frame);

@@ -141,6 +141,7 @@ void RegionChoice::compareFirst(const OpenPixels& open, Choices& choices) const
     for (int i = 0; i < open.count; i++)
     {
         const int pixel = open.indices[i], mask = masks_[pixel];
+        // Its own square less what it saves: slack is more by what the others could save.
         Choice choice = { labels_[pixel], mask, open.slack[i] - savings_[~mask & 255], mask };
         compare(pixel, open.first[i], choice);
         choices.of[i] = choice;

@@ -48,7 +48,7 @@ public:
         if (WITH_DEPTH && region.sum.depth_area > 0)
         {
             const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(v_reinterpret_as_u32(features)));
-            const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), depth)); // all bits
+            const v_int32x4 has_depth = isPositive(depth);
             const v_int16x8 odd_away_too = difference(odd, pairsWithDepth(region, at));
             const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
             away = add(away, bitAnd(subtract(with_depth, away), has_depth));
@@ -85,11 +85,6 @@ private:
         const short color = region.means[2];
         return v_int16x8(color, short(depth - dx), color, short(depth - dy), color, short(depth + dx), color,
                          short(depth + dy));
-    }
-
-    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
-    {
-        return v_reinterpret_as_s16(v_absdiff(a, b));
     }
 
     v_int16x8 even_[2], odd_[2];      // weights of the channels 0 and 2, and 1 and 3, without depth and with it
@@ -186,7 +181,7 @@ private:
     const int usual_area_, step_;
     const Vec4i offsets_; // of the neighbours
     const int first_;
-    BucketQueue<int, FloodBuffers::PRIORITIES>& queues_;
+    BucketQueue<FloodBuffers::PRIORITIES>& queues_;
     std::vector<int>& batch_;
     std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows
 };

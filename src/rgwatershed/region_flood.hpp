@@ -61,7 +61,7 @@ struct FloodBuffers
 
     struct Band
     {
-        BucketQueue<int, PRIORITIES> queues;
+        BucketQueue<PRIORITIES> queues;
         std::vector<int> batch;
         std::vector<short> waiting;
     };

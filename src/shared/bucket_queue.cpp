@@ -6,7 +6,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-template <typename Item, int PRIORITIES> bool BucketQueue<Item, PRIORITIES>::take(std::vector<Item>& batch)
+template <int PRIORITIES> bool BucketQueue<PRIORITIES>::take(std::vector<int>& batch)
 {
     if (num_used_ == 0)
         return false;
@@ -28,7 +28,7 @@ template <typename Item, int PRIORITIES> bool BucketQueue<Item, PRIORITIES>::tak
     return true;
 }
 
-template <typename Item, int PRIORITIES> void BucketQueue<Item, PRIORITIES>::appendChunk(int priority)
+template <int PRIORITIES> void BucketQueue<PRIORITIES>::appendChunk(int priority)
 {
     int chunk = free_;
     if (chunk != NONE)
@@ -50,7 +50,7 @@ template <typename Item, int PRIORITIES> void BucketQueue<Item, PRIORITIES>::app
     ends_[priority] = chunk * CHUNK;
 }
 
-template class BucketQueue<int, 256>;
-template class BucketQueue<int, 1024>;
+template class BucketQueue<256>;
+template class BucketQueue<1024>;
 
 }}} // namespace

@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Queues of items for the priorities 0..PRIORITIES-1, first in first out each. They are chains of chunks of one array,
 //! so memory is that of the items that wait at the same time.
-template <typename Item, int PRIORITIES> class BucketQueue
+template <int PRIORITIES> class BucketQueue
 {
 public:
     BucketQueue() { clear(); }
@@ -29,7 +29,7 @@ public:
     //! The priority of the items that were taken last.
     int priority() const { return priority_; }
 
-    void push(const Item& item, int priority)
+    void push(int item, int priority)
     {
         if (ends_[priority] % CHUNK == 0)
             appendChunk(priority);
@@ -38,7 +38,7 @@ public:
 
     //! Takes all items from the queue at the current priority; if that is empty, from the next one that
     //! is not, beginning again at 0 after the last. Returns false if all are empty.
-    bool take(std::vector<Item>& batch);
+    bool take(std::vector<int>& batch);
 
 private:
     enum { CHUNK = 32, NONE = -1 };
@@ -46,7 +46,7 @@ private:
     //! Puts a chunk that is free, or a new one, at the end of a queue.
     void appendChunk(int priority);
 
-    std::vector<Item> items_; // those of chunk i from i * CHUNK on
+    std::vector<int> items_; // those of chunk i from i * CHUNK on
     std::vector<int> next_;   // chunk in the chain, for each chunk
     int free_;                // first of the chain of those that no queue has
     int priority_;

@@ -23,6 +23,12 @@ struct Feature
     uchar depth;
 };
 
+//! Features at four positions.
+inline v_uint8x16 gather(const Feature* features, const int* at)
+{
+    return loadFour(features[at[0]], features[at[1]], features[at[2]], features[at[3]]);
+}
+
 //! Direction of the surface at a pixel, or of a block: x and y of its unit normal in the axes of the camera, 1..255 for
 //! -1..1; both 0 if it is not known.
 struct Normal

@@ -7,15 +7,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Four features.
-static inline v_uint8x16 gather(const Feature* features, const int* positions)
-{
-    unsigned words[4];
-    for (int i = 0; i < 4; i++)
-        memcpy(words + i, features + positions[i], sizeof(Feature));
-    return v_reinterpret_as_u8(v_uint32x4(words[0], words[1], words[2], words[3]));
-}
-
 //! The upper bits are those to use.
 static inline unsigned hashOf(const MergeEdge& edge)
 {

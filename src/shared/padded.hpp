@@ -9,13 +9,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Reads a value that will be needed soon, so that it is in the cache by then.
-template <typename T> inline void touch(const T& value)
-{
-    const T read = *static_cast<const volatile T*>(&value);
-    static_cast<void>(read);
-}
-
 //! An image with a frame of one element around it, so that neighbours need no bounds test.
 //! One index names an element, and each neighbour has a fixed offset to it.
 template <typename T> class Padded

@@ -112,8 +112,9 @@ public:
         v_int16x8 low, high;
         loadFeatures(f, low, high);
         v_int32x4 color_differences, depth_differences;
-        splitPairs(difference(low, v_load_halves(r[0]->color, r[1]->color)),
-                   difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences, depth_differences);
+        splitPairs(gws::difference(low, v_load_halves(r[0]->color, r[1]->color)),
+                   gws::difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences,
+                   depth_differences);
         return squareOf(dotProduct(color_differences, first, dotProduct(depth_differences, second, v_setzero_s32())));
     }
 
@@ -168,13 +169,9 @@ private:
         return v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(&s)));
     }
 
-    static v_int16x8 difference(const v_int16x8& a, const v_int16x8& b)
-    {
-        return v_reinterpret_as_s16(v_absdiff(a, b));
-    }
     static v_int32x4 difference(const v_int32x4& a, const v_int32x4& b)
     {
-        return v_reinterpret_as_s32(difference(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b)));
+        return v_reinterpret_as_s32(gws::difference(v_reinterpret_as_s16(a), v_reinterpret_as_s16(b)));
     }
 
     //! Of pairs of 16 bits.

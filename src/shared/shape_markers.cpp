@@ -64,7 +64,8 @@ static bool isLeftOf(Point a, Point b)
 void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n,
                    std::vector<Point>& markers)
 {
-    const int width = std::max_element(begin, end, isLeftOf)->x - std::min_element(begin, end, isLeftOf)->x + 1;
+    const auto sides = std::minmax_element(begin, end, isLeftOf);
+    const int width = sides.second->x - sides.first->x + 1;
     const int height = (end - 1)->y - begin->y + 1;
     const int square = cvRound(std::sqrt(double(n) * height / width));
     const int rows = std::max(1, std::min(square, std::min(n, height)));

@@ -67,9 +67,6 @@ static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, f
     return v_trunc(v_max(v_min(slopes, steepest), v_setall_f32(-(1 << 14))));
 }
 
-//! All bits where a number is above 0.
-static v_int32x4 isPositive(const v_int32x4& a) { return v_shr<31>(subtract(v_setzero_s32(), a)); }
-
 //! What is known of four surfaces before they are solved.
 struct FourSurfaceSums
 {

@@ -22,7 +22,8 @@ template <typename T> inline bool isFarDepth(T) { return false; }
 inline bool isFarDepth(float depth) { return depth > FLT_MAX; }
 inline bool isFarDepth(double depth) { return depth > FLT_MAX; }
 
-//! Reads a row of a depth map, with room for as many values. What is missing becomes 0, what is too far infinite.
+//! Reads a row of a depth map, with room for as many values. What is missing becomes 0, what is too far stays above
+//! FLT_MAX.
 template <typename Value> inline void readDepths(const Mat& row, Value* to)
 {
     Mat values(1, row.cols, DataType<Value>::type, to);

@@ -64,6 +64,12 @@ template <typename V> inline V equal(const V& a, const V& b) { return chooseEqua
 inline v_float32x4 multiply(const v_float32x4& a, const v_float32x4& b) { return chooseMul(a, b, 0); }
 inline v_float32x4 divide(const v_float32x4& a, const v_float32x4& b) { return chooseDiv(a, b, 0); }
 
+//! All bits where a number is above 0.
+inline v_int32x4 isPositive(const v_int32x4& a) { return v_shr<31>(subtract(v_setzero_s32(), a)); }
+
+//! Absolute differences that fit into 15 bits.
+inline v_int16x8 difference(const v_int16x8& a, const v_int16x8& b) { return v_reinterpret_as_s16(v_absdiff(a, b)); }
+
 //! The lower and the upper eight of sixteen bytes, in 16 bits, which hold the sums of some of them.
 struct Halves
 {
