@@ -88,9 +88,10 @@ SessionPtr createForDepth(const Array& image, const OptionalArray& depth, Option
     });
 }
 
-void iterateAgain(Session& session, OptionalInt num_iterations)
+//! None is not the default here: it may be an image that could not be read.
+void iterateAgain(Session& session, int num_iterations)
 {
-    session.call([&](SuperpixelGWatershed& superpixels) { superpixels.iterate(num_iterations.value_or(1)); });
+    session.call([&](SuperpixelGWatershed& superpixels) { superpixels.iterate(num_iterations); });
 }
 
 void iterateImage(Session& session, const Array& image, OptionalInt num_iterations)
@@ -230,22 +231,22 @@ void bindResults(SessionClass& to)
 
 void bindSteps(SessionClass& to)
 {
-    to.def("iterate", iterateDepth, py::arg("image"), py::arg("depth"), py::arg("num_iterations") = py::none(),
+    to.def("iterate", iterateDepth, py::arg("image"), py::arg("depth"), integer("num_iterations") = py::none(),
            "Segments an image with its depth; None is no depth.");
-    to.def("iterate", iterateImage, py::arg("image"), py::arg("num_iterations") = py::none(), "Segments an image.");
-    to.def("iterate", iterateAgain, py::arg("num_iterations") = py::none(),
+    to.def("iterate", iterateImage, py::arg("image"), integer("num_iterations") = py::none(), "Segments an image.");
+    to.def("iterate", iterateAgain, integer("num_iterations") = 1,
            "Segments the image that was given to the factory.");
     to.def("enforceLabelConnectivity", [](Session& session, OptionalInt min_element_size) {
         session.call([&](SuperpixelGWatershed& superpixels) {
             superpixels.enforceLabelConnectivity(min_element_size.value_or(25));
         });
-    }, py::arg("min_element_size") = py::none(), "Merges superpixels smaller than so many percent of the mean.");
+    }, integer("min_element_size") = py::none(), "Merges superpixels smaller than so many percent of the mean.");
     to.def("mergeSimilar", [](Session& session, int num_superpixels) {
         session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSimilar(num_superpixels); });
-    }, py::arg("num_superpixels"), "Merges neighbours, the most similar first, until a number is left.");
+    }, integer("num_superpixels"), "Merges neighbours, the most similar first, until a number is left.");
     to.def("mergeSmall", [](Session& session, int min_area) {
         session.call([&](SuperpixelGWatershed& superpixels) { superpixels.mergeSmall(min_area); });
-    }, py::arg("min_area"), "Merges superpixels of fewer pixels into a neighbour.");
+    }, integer("min_area"), "Merges superpixels of fewer pixels into a neighbour.");
     to.def("setMask", setMask, py::arg("mask"), "Restricts the segmentation; bool or uint8. None: no mask.");
     to.def("setMarkers", setMarkers, py::arg("markers"),
            "Sets the markers that superpixels grow from; integers of 32 bits. None: no markers.");
@@ -285,13 +286,13 @@ void bindFactories(py::module_& to)
 {
     const py::object none = py::none();
     const char* name = "createSuperpixelGWatershed";
-    to.def(name, createForImage, py::arg("image"), py::arg("algorithm"), py::arg("region_size") = none,
+    to.def(name, createForImage, py::arg("image"), integer("algorithm"), integer("region_size") = none,
            py::arg("ruler") = none, "Makes an object for an image.");
-    to.def(name, createForDepth, py::arg("image"), py::arg("depth") = none, py::arg("algorithm") = none,
-           py::arg("region_size") = none, py::arg("ruler") = none, py::arg("alpha") = none,
+    to.def(name, createForDepth, py::arg("image"), py::arg("depth") = none, integer("algorithm") = none,
+           integer("region_size") = none, py::arg("ruler") = none, py::arg("alpha") = none,
            "Makes an object for an image, with depth where that is not None.");
-    to.def(name, createForSize, py::arg("image_width"), py::arg("image_height"), py::arg("image_channels"),
-           py::arg("num_superpixels"), py::arg("algorithm") = none, py::arg("ruler") = none,
+    to.def(name, createForSize, integer("image_width"), integer("image_height"), integer("image_channels"),
+           integer("num_superpixels"), integer("algorithm") = none, py::arg("ruler") = none,
            "Makes an object for images of a size.");
 }
 
@@ -303,6 +304,7 @@ PYBIND11_MODULE(_native, module)
     module.doc() = "The class of gwatershed, as cv2.ximgproc has it where OpenCV was built with the module.";
     module.attr("GWATERSHED") = int(cv::ximgproc::GWATERSHED);
     module.attr("RGWATERSHED") = int(cv::ximgproc::RGWATERSHED);
+    module.attr("__version__") = GWATERSHED_VERSION;
     module.attr("__opencv_version__") = cv::getVersionString();
 
     SessionClass session_class(module, "SuperpixelGWatershed",
@@ -314,7 +316,7 @@ PYBIND11_MODULE(_native, module)
     bindParametersAsAWhole(session_class);
     bindFactories(module);
 
-    module.def("setNumThreads", &cv::setNumThreads, py::arg("nthreads"), "Number of threads; 1: no others.");
+    module.def("setNumThreads", &cv::setNumThreads, integer("nthreads"), "Number of threads; 1: no others.");
     module.def("getNumThreads", &cv::getNumThreads, "Number of threads.");
     module.def("_measure", measure, py::arg("labels"), py::arg("num_labels"), py::arg("image"), py::arg("depth"),
                py::arg("focal_length") = py::none(), "Statistics of any label map; see gwatershed.superpixels.");

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace gwatershed
@@ -28,6 +29,17 @@ std::map<std::string, Setter>& setters()
     return all;
 }
 
+//! Integers are not cut off other numbers.
+template <typename T> constexpr bool convert = !std::is_same<T, int>::value;
+
+template <typename T> T castTo(const py::handle& value)
+{
+    py::detail::make_caster<T> caster;
+    if (!caster.load(value, convert<T>))
+        throw py::cast_error();
+    return py::detail::cast_op<T>(caster);
+}
+
 //! getName(), and the keyword of the constructor.
 template <typename T, typename Set>
 void bindRest(SessionClass& to, const char* keyword, const std::string& name, Set setter,
@@ -36,7 +48,7 @@ void bindRest(SessionClass& to, const char* keyword, const std::string& name, Se
     to.def(("get" + name).c_str(), [get](Session& session) {
         return session.call([&](SuperpixelGWatershed& superpixels) { return (superpixels.*get)(); });
     }, description);
-    setters()[keyword] = [setter](Session& session, const py::handle& value) { setter(session, value.cast<T>()); };
+    setters()[keyword] = [setter](Session& session, const py::handle& value) { setter(session, castTo<T>(value)); };
 }
 
 //! A parameter of one value: setName(keyword), getName(), and the keyword of the constructor.
@@ -47,7 +59,7 @@ void bindValue(SessionClass& to, const char* keyword, const std::string& name, v
     const auto setter = [set](Session& session, T value) {
         session.call([&](SuperpixelGWatershed& superpixels) { (superpixels.*set)(value); });
     };
-    to.def(("set" + name).c_str(), setter, py::arg(keyword), description);
+    to.def(("set" + name).c_str(), setter, py::arg(keyword).noconvert(!convert<T>), description);
     bindRest(to, keyword, name, setter, get, description);
 }
 
@@ -60,7 +72,7 @@ void bindDefaulted(SessionClass& to, const char* keyword, const std::string& nam
     const auto setter = [set, default_value](Session& session, std::optional<T> value) {
         session.call([&](SuperpixelGWatershed& superpixels) { (superpixels.*set)(value.value_or(default_value)); });
     };
-    to.def(("set" + name).c_str(), setter, py::arg(keyword) = py::none(), description);
+    to.def(("set" + name).c_str(), setter, py::arg(keyword).noconvert(!convert<T>) = py::none(), description);
     bindRest(to, keyword, name, setter, get, description);
 }
 

@@ -95,6 +95,7 @@ refuses_another_version() {
 
 runs_python() {
     inside $release /usr/bin/python3 /gwatershed/python/test/test_package.py &&
+    inside $release /usr/bin/python3 /gwatershed/python/test/test_functions.py &&
     inside $release /usr/bin/python3 /gwatershed/python/test/test_command.py &&
     inside $release env GWATERSHED_TEST=package /usr/bin/python3 /gwatershed/misc/python/test/test_gwatershed.py
 }

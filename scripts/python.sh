@@ -34,6 +34,7 @@ run_unittest() { # NAME FILE [VARIABLE=VALUE...]
 
 run_unittest interface "$root/misc/python/test/test_gwatershed.py" GWATERSHED_TEST=package
 run_unittest package "$root/python/test/test_package.py"
+run_unittest functions "$root/python/test/test_functions.py"
 run_unittest command "$root/python/test/test_command.py"
 run_unittest tiles "$root/python/test/test_tiles.py" PYTHONWARNINGS=ignore
 finish

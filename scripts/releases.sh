@@ -143,6 +143,7 @@ run_python() { # RELEASE
     check "$1: interface of the package" inside "$1" env GWATERSHED_TEST=package \
         /gwatershed/venv/bin/python /gwatershed/misc/python/test/test_gwatershed.py
     check "$1: the package" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_package.py
+    check "$1: the functions" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_functions.py
     check "$1: the command" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_command.py
     check "$1: tiles" inside "$1" sh -c '! /gwatershed/venv/bin/python -c "import zarr, dask" ||
         /gwatershed/venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py'

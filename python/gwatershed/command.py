@@ -12,6 +12,7 @@ from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
+from ._native import __version__
 from .segmentation import segment, superpixels
 
 DESCRIPTION = "Divides images into superpixels and writes a picture of each."
@@ -25,12 +26,13 @@ RED = (255, 0, 0)
 
 
 def displayed(image: Any) -> Any:
-    """An image in three channels of 8 bits, from the lowest to the highest value where it has others."""
+    """An image in three channels of 8 bits. Others lose one value in 1000 at each end, as where they are segmented."""
     if image.dtype == np.uint8:
         return image
-    values = np.nan_to_num(image.astype(np.float64), posinf=0, neginf=0)
-    low, high = values.min(), values.max()
-    gray = ((values - low) * (255 / max(high - low, np.finfo(float).tiny))).round().astype(np.uint8)
+    finite = image[np.isfinite(image)].astype(np.float64)
+    low, high = np.percentile(finite, (0.1, 99.9)) if finite.size else (0, 1)
+    scaled = (image.astype(np.float64) - low) * (255 / max(high - low, np.finfo(float).tiny))
+    gray = np.nan_to_num(scaled.clip(0, 255)).round().astype(np.uint8)
     return np.repeat(gray[:, :, np.newaxis], 3, axis=2)
 
 
@@ -77,6 +79,7 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="more of them follow the image better; default %(default)s")
     parser.add_argument("--show", choices=sorted(PICTURES), default="contours",
                         help="what to write: the image with contours (the default), mean colours, or labels as numbers")
+    parser.add_argument("--version", action="version", version="%(prog)s " + __version__)
     parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but errors")
     parsed = parser.parse_args(arguments)
     if parsed.depth and len(parsed.images) > 1:
@@ -91,6 +94,7 @@ def read_image(name: str) -> Any:
     from PIL import Image
     Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
     with Image.open(name) as file:
+        look_for_more(file, name)
         image = upright(file)
         return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
 
@@ -98,12 +102,32 @@ def read_image(name: str) -> Any:
 def read_depth(name: str) -> Any:
     from PIL import Image
     with Image.open(name) as file:
+        look_for_more(file, name)
         return fit_16_bits(np.asarray(upright(file)), "depth")
 
 
+def has_16_bits(decoder: str, details: Any) -> bool:
+    """Whether what Pillow decodes has more than 8 bits: by the name of the layout, or by the highest value."""
+    layout = details[0] if isinstance(details, tuple) else details
+    return ";16" in str(layout) or (decoder == "ppm" and details[1] > 255)
+
+
+def look_for_more(file: Any, name: str) -> None:
+    """Whether there is more in a file than is read of it: pages, or bits, which Pillow cuts off where colours have 16."""
+    if file.mode[0] not in "IF" and any(has_16_bits(tile[0], tile[3]) for tile in file.tile):
+        raise ValueError("%s has 16 bits for each channel, of which Pillow reads 8: call segment() with what"
+                         " cv2.imread(file, cv2.IMREAD_UNCHANGED) gives, or gwatershed-tiles" % name)
+    pages = getattr(file, "n_frames", 1)
+    if pages > 1:
+        print("gwatershed: %s: the first of %d pages" % (name, pages), file=sys.stderr)
+
+
 def upright(image: Any) -> Any:
-    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged."""
+    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged. Pillow turns TIFF when it loads it."""
     from PIL import ImageOps
+    if image.format == "TIFF":
+        image.load()
+        return image
     try:
         return ImageOps.exif_transpose(image)
     except (SyntaxError, struct.error):
@@ -127,15 +151,16 @@ def write(name: Path, picture: Any) -> None:
     if kept_by and suffix not in kept_by:
         raise ValueError("labels up to %d need a file of one of the kinds %s" % (picture.max(), " ".join(kept_by)))
     if suffix == ".npy":
-        np.save(name, picture)
+        with open(name, "wb") as file:  # np.save() adds .npy to a name in capitals
+            np.save(file, picture)
     else:
         Image.fromarray(picture).save(name)
 
 
 def output_of(name: str, arguments: argparse.Namespace) -> Path:
-    """A file, or for several images one in the folder."""
+    """A file, or for several images one in the folder. A name that ends with a slash is one, too."""
     output = Path(arguments.output)
-    if len(arguments.images) == 1 and not output.is_dir():
+    if len(arguments.images) == 1 and not output.is_dir() and not arguments.output.endswith(("/", os.sep)):
         return output
     output.mkdir(parents=True, exist_ok=True)
     return output / (Path(name).stem + (".tiff" if arguments.show == "labels" else ".png"))

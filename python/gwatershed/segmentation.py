@@ -3,11 +3,14 @@
 # of this distribution and at http://opencv.org/license.html.
 """Functions in the manner of scikit-image: an image in, labels out."""
 import operator
+import warnings
 from typing import Any, Optional, Tuple
 
 import numpy as np
 
 from ._native import SuperpixelGWatershed, _measure
+
+NAMES_OF_SLIC = {"n_segments": "num_superpixels", "compactness": "ruler", "max_num_iter": "num_iterations"}
 
 
 def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: Optional[int] = None,
@@ -15,14 +18,15 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
             start_label: int = 0, bgr: bool = False, **parameters: Any) -> Any:
     """Divides an image into superpixels and returns their labels, int32.
 
-    image: height x width, or with 1 to 4 channels as third dimension; integers or floats, whatever their range. Three
-        channels are RGB, as scikit-image, Pillow and imageio read them; see bgr.
+    image: height x width, or with 1 to 4 channels as third dimension; bool, integers or floats. Three channels are RGB,
+        as scikit-image, Pillow and imageio read them; see bgr. A fourth one, as alpha, is ignored. Unsigned integers of
+        8 bits are taken as they are, others have a range that is found; value_range sets it.
     region_size: side of a superpixel in pixels, 10 if neither this nor num_superpixels is given; as many as fit.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
     depth: depth map of the same size, floats or integers but int8. 0, what is below, NaN and 65535 of uint16 are
-        missing; infinity is far.
+        missing; infinity is far. A UserWarning says where none is valid, or none within depth_range.
     mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
-    markers: integers, positive ones are markers that superpixels grow from.
+    markers: integers, positive ones are markers that superpixels grow from, instead of region_size and num_superpixels.
     num_iterations: more of them follow the image better.
     start_label: label of the first superpixel. regionprops() of scikit-image needs 1.
     bgr: whether three channels are BGR, as cv2.imread() gives them.
@@ -35,17 +39,27 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         parameters["region_size"] = region_size
     if num_superpixels is not None:
         parameters["num_superpixels"] = num_superpixels
-    start_label = label_number(start_label)
-    gws = SuperpixelGWatershed(**parameters)
-    gws.setMask(_inside(mask))
-    gws.setMarkers(_optional(markers))
-    gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth), num_iterations)
-    labels = gws.getLabels()
+    start_label, num_iterations = integer(start_label, "start_label"), integer(num_iterations, "num_iterations")
+    for name, own in NAMES_OF_SLIC.items():
+        if name in parameters:
+            raise TypeError("there is no parameter %s; here it is %s" % (name, own))
+    labels = labels_of(image, depth, mask, markers, num_iterations, bgr, parameters)
+    if depth is not None:
+        _warn_of_depth(np.asarray(depth), *parameters.get("depth_range", (0, 0)))
     if start_label:
         if not -2**31 - min(labels.min(), 0) <= start_label <= 2**31 - 1 - labels.max():
             raise ValueError("start_label must be a number from which all labels fit 32 bits, not %d" % start_label)
         labels += np.int32(start_label)
     return labels
+
+
+def labels_of(image: Any, depth: Any, mask: Any, markers: Any, num_iterations: int, bgr: bool, parameters: Any) -> Any:
+    """What segment() returns, from 0 on."""
+    gws = SuperpixelGWatershed(**parameters)
+    gws.setMask(_inside(mask))
+    gws.setMarkers(_optional(markers, "markers"))
+    gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth, "depth"), num_iterations)
+    return gws.getLabels()
 
 
 def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_label: int = 0,
@@ -63,12 +77,12 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     focal_length also position, the mean point in space (x to the right, y down, z forward from the camera, in the unit
     of depth), and normal (x, y, z, of length 1, towards the camera), NaN where there is nothing to take them from.
     """
-    labels, start_label = np.asarray(labels), label_number(start_label)
+    labels, start_label = _plain(labels, "labels"), integer(start_label, "start_label")
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
     stats, centroids, mean_colors, mean_depths, positions, normals = _measure(
-        numbers, len(names), _optional(image), _optional(depth), focal_length)
+        numbers, len(names), _optional(image, "image"), _optional(depth, "depth"), focal_length)
     channels = () if mean_colors is None else (mean_colors.shape[1],)
     with_surface = depth is not None and focal_length is not None
     table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None, with_surface))
@@ -89,12 +103,21 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     return table[table["area"] > 0]
 
 
-def label_number(start_label: Any) -> int:
+def integer(value: Any, name: str) -> int:
     """An integer of any type."""
     try:
-        return operator.index(start_label)
+        return operator.index(value)
     except TypeError:
-        raise TypeError("start_label must be an integer, not %r" % (start_label,)) from None
+        raise TypeError("%s must be an integer, not %.60r" % (name, value)) from None
+
+
+def _warn_of_depth(depth: Any, near: float, far: float) -> None:
+    """Depth that says nothing is no error: a camera may see nothing. But it is a mistake of units more often."""
+    valid = depth[(depth > 0) & ((depth != 65535) | (depth.dtype != np.uint16))]
+    if valid.size == 0:
+        warnings.warn("depth has no valid value: the superpixels follow colour alone", stacklevel=3)
+    elif far > 0 and (valid.min() >= far or valid.max() <= near):
+        warnings.warn("no depth lies within depth_range, %g to %g: have both the same unit?" % (near, far), stacklevel=3)
 
 
 def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool, with_surface: bool) -> Any:
@@ -128,27 +151,34 @@ def _compact(labels: Any, start_label: int) -> Any:
 
 
 def _colors(image: Any, as_they_are: bool) -> Any:
-    """The image in the order of the channels that the class takes."""
-    image = _array(image)
+    """The image in the order of the channels that the class takes. bool becomes black and white."""
+    if image is None:
+        raise ValueError("image must not be None")
+    image = _plain(image, "image")
+    if image.ndim == 3 and image.shape[2] > 4:
+        raise ValueError("image must have 1 to 4 channels, as its last dimension, and not the shape %s" % (image.shape,))
+    if image.dtype == bool:
+        image = image * np.uint8(255)
     if image.ndim == 3 and image.shape[2] in (3, 4) and not as_they_are:
         return image[:, :, 2::-1]
     return image
 
 
-def _array(image: Any) -> Any:
-    if image is None:
-        raise ValueError("image must not be None")
-    return np.asarray(image)
+def _plain(values: Any, name: str) -> Any:
+    """An array, if it has no mask of its own, which would be lost."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise TypeError(name + " must not be a masked array: fill it, floats with NaN, or give segment() its mask")
+    return np.asarray(values)
 
 
-def _optional(values: Any) -> Any:
+def _optional(values: Any, name: str) -> Any:
     """An array, or None. bool becomes 0 and 1."""
     if values is None:
         return None
-    values = np.asarray(values)
+    values = _plain(values, name)
     return values.view(np.uint8) if values.dtype == bool else values
 
 
 def _inside(mask: Any) -> Any:
     """A mask as bool."""
-    return None if mask is None else np.asarray(mask) != 0
+    return None if mask is None else _plain(mask, "mask") != 0

@@ -6,16 +6,28 @@
 import contextlib
 import io
 import os
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import numpy as np
 from test_package import make_image, needs
 
 import gwatershed
 from gwatershed import command
+
+
+def write_png_of_words(name, image):
+    """Colours of 16 bits, which Pillow does not write."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    rows = b"".join(b"\0" + row.astype(">u2").tobytes() for row in image)
+    with open(name, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", *image.shape[1::-1], 16, 2, 0, 0, 0)) +
+                   chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 @needs("PIL")
@@ -84,14 +96,55 @@ class CommandTest(unittest.TestCase):
             self.run_command(self.path(name), "-o", self.path("mean.png"), "--show", "mean")
             self.assertEqual(self.read("mean.png").shape, self.image.shape)
 
+    def test_refuses_colours_of_16_bits(self):
+        head = b"P6 %d %d 65535\n" % self.image.shape[1::-1]
+        with open(self.path("words.ppm"), "wb") as file:
+            file.write(head + (self.image.astype(">u2") * 257).tobytes())
+        write_png_of_words(self.path("words.png"), self.image.astype(np.uint16) * 16)
+        for name in ("words.ppm", "words.png"):
+            code, _, errors = self.run_command(self.path(name), "-o", self.path("out.npy"))
+            self.assertEqual(code, 1, name)
+            self.assertIn("16 bits for each channel", errors)
+
+    def test_says_that_there_are_more_pages(self):
+        from PIL import Image
+        page, other = Image.fromarray(self.image), Image.fromarray(self.image[::-1])
+        for name in ("pages.tiff", "pages.gif"):
+            page.save(self.path(name), save_all=True, append_images=[other, page])
+            code, _, errors = self.run_command(self.path(name), "-q", "-o", self.path("out.png"))
+            self.assertEqual(code, 0)
+            self.assertIn("the first of 3 pages", errors)
+        self.assertEqual(self.run_command(self.path("image.png"), "-q", "-o", self.path("out.png")), (0, "", ""))
+
+    def test_outlier_does_not_darken_the_picture(self):
+        from PIL import Image
+        gray = self.image.mean(axis=2).round().astype(np.uint16)
+        gray[5, 5] = 60000
+        Image.fromarray(gray).save(self.path("hot.png"))
+        self.run_command(self.path("hot.png"), "-o", self.path("mean.png"), "--show", "mean")
+        self.assertGreater(np.median(self.read("mean.png")), 100)
+
+    def test_names_of_outputs(self):
+        for name in ("labels.NPY", "new/"):
+            code = self.run_command(self.path("image.png"), "--show", "labels", "-o", self.path(name))[0]
+            self.assertEqual(code, 0, name)
+        self.assertEqual(np.load(self.path("labels.NPY")).shape, (96, 128))
+        self.assertEqual(os.listdir(self.path("new")), ["image.tiff"])
+
+    def test_version(self):
+        self.assertEqual(self.run_command("--version")[:2], (0, "gwatershed %s\n" % gwatershed.__version__))
+
     def test_photographs_of_a_turned_camera(self):
         from PIL import Image
         turned = Image.Exif()
         turned[0x0112] = 6  # the camera says: turn it to the right
         Image.fromarray(np.rot90(self.image)).save(self.path("turned.png"), exif=turned)
+        Image.fromarray(np.rot90(self.image)).save(self.path("turned.tiff"), exif=turned)
         Image.fromarray(np.rot90(self.depth)).save(self.path("turned_depth.png"), exif=turned)
+        Image.fromarray(np.rot90(self.depth)).save(self.path("turned_depth.tiff"), exif=turned)
         Image.fromarray(self.image).save(self.path("damaged.png"), exif=turned.tobytes()[:-9])
-        for name, depth in (("turned.png", None), ("turned.png", "turned_depth.png"), ("damaged.png", None)):
+        for name, depth in (("turned.png", None), ("turned.png", "turned_depth.png"), ("damaged.png", None),
+                            ("turned.tiff", None), ("turned.png", "turned_depth.tiff")):
             arguments = ["-d", self.path(depth)] if depth else []
             self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s", "12", *arguments)
             expected = gwatershed.segment(self.image, 12, depth=self.depth if depth else None)

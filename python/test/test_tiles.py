@@ -169,6 +169,28 @@ class ResultTest(TilesCase):
                 self.run_tiles(**wrong)
             self.assertFalse(os.path.exists(self.path("labels.zarr.part")), wrong)
 
+    def test_refuses_names_and_shapes_that_say_something_else(self):
+        for output in ("labels.png", "labels.npy", "labels"):
+            with self.assertRaisesRegex(ValueError, "output must be .zarr, .tif or .tiff"):
+                self.run_tiles(output)
+        self.write_zarr("bands_first.zarr", np.ascontiguousarray(self.image.transpose(2, 0, 1)))
+        with self.assertRaisesRegex(ValueError, "height x width x bands"):
+            self.run_tiles(image="bands_first.zarr")
+
+    def test_focal_length_is_that_of_the_whole_image(self):
+        y, x = np.mgrid[0:500, 0:610]
+        depth = (1000 + 2 * np.abs(x % 240 - 120) + y // 3).astype(np.uint16)
+        self.write_zarr("depth.zarr", depth)
+        self.write_zarr("flat.zarr", np.full(depth.shape, 90, np.uint8))
+        self.write_zarr("disparity.zarr", depth.astype(np.int16))
+        labels = {}
+        for name, arguments in (("usual", {}), ("set", {"focal_length": (488, 488)}), ("other", {"focal_length": (99, 99)}),
+                                ("disparity", {"depth": self.path("disparity.zarr")})):
+            labels[name] = self.run_tiles(image="flat.zarr", **{"depth": self.path("depth.zarr"), **arguments})[1]
+        np.testing.assert_array_equal(labels["usual"], labels["set"])
+        self.assertFalse((labels["usual"] == labels["other"]).all())
+        self.assertFalse((labels["usual"] == labels["disparity"]).all())
+
     def test_numbers_of_numpy_and_paths(self):
         number, expected = self.run_tiles(ruler=5, bands=(1, 2, 3), value_range=(0, 255))
         shutil.rmtree(self.path("labels.zarr"))

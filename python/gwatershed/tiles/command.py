@@ -7,6 +7,8 @@ import sys
 import warnings
 from typing import List, Optional
 
+import gwatershed
+
 from .run import segment_file
 
 DESCRIPTION = "Segments an image that may be larger than memory into superpixels."
@@ -22,7 +24,7 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="gwatershed-tiles", description=DESCRIPTION, epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("image", help="GeoTIFF, what else GDAL reads, or an array of Zarr")
-    parser.add_argument("output", help="labels to write: .zarr, or else a GeoTIFF")
+    parser.add_argument("output", help="labels to write: .zarr, or .tif or .tiff, a GeoTIFF")
     parser.add_argument("--region-size", type=int, default=20, metavar="N", help="side of a superpixel in pixels")
     parser.add_argument("--ruler", type=float, default=10, help="compactness; default %(default)s")
     parser.add_argument("--effort", type=int, default=1, metavar="N",
@@ -34,23 +36,27 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="values that become black and white")
     parser.add_argument("--depth", metavar="FILE")
     parser.add_argument("--depth-range", type=float, nargs=2, metavar=("NEAR", "FAR"))
+    parser.add_argument("--focal-length", type=float, metavar="F",
+                        help="of the depth camera, in pixels; default: 0.8 of the longer side of the image")
     parser.add_argument("--tile-size", type=int, default=2048, metavar="N")
     parser.add_argument("--scheduler", default="threads", metavar="ADDRESS",
                         help="of dask.distributed; or threads, processes, single-threaded; default %(default)s")
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; default: one a processor")
     parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar")
+    parser.add_argument("--version", action="version", version="%(prog)s " + gwatershed.__version__)
     return parser.parse_args(arguments)
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
     warnings.filterwarnings("ignore", "Dataset has no geotransform")  # a plain picture has none
+    camera = {} if parsed.focal_length is None else {"focal_length": (parsed.focal_length,) * 2}
     try:
         number = segment_file(
             parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,
             value_range=parsed.value_range, depth_range=parsed.depth_range, num_iterations=parsed.iterations,
             tile_size=parsed.tile_size, scheduler=parsed.scheduler, workers=parsed.workers,
-            progress=not parsed.quiet, ruler=parsed.ruler, effort=parsed.effort, alpha=parsed.alpha)
+            progress=not parsed.quiet, ruler=parsed.ruler, effort=parsed.effort, alpha=parsed.alpha, **camera)
     except KeyboardInterrupt:
         print("gwatershed-tiles: stopped; the same command goes on from here", file=sys.stderr)
         return 130

@@ -11,11 +11,14 @@ from typing import Any, Iterator, List, Optional, Sequence, Tuple
 import numpy as np
 
 import gwatershed
-from gwatershed.segmentation import label_number
+from gwatershed.segmentation import integer
 
 from .sources import Source, is_zarr, may_be_replaced, write_window
 from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
+
+USUAL_FOCAL_LENGTH = 0.8  # of the longer side of the image
+OTHER_DEPTH = (np.uint8, np.int16)  # scaled already, or a disparity: not metric, unless the user gives a focal length
 
 
 def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optional[str] = None,
@@ -27,10 +30,11 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
 
     image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands. Complex
         numbers and palettes are refused.
-    output: .zarr, or else a GeoTIFF with the georeference of the image. Labels are start_label .. start_label + N - 1,
+    output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image. Labels are start_label .. start_label + N - 1,
         and start_label - 1 where the image has no data.
     region_size: side of a superpixel in pixels.
-    depth: file of the depth, of the same size.
+    depth: file of the depth, of the same size. By default the focal length is that of segment() for the whole image.
+        The optical axis is in the middle of each tile.
     bands: one or three of the image, from 1 on; the first three by default. Three are red, green and blue.
     value_range: values that become black and white; by default 8 bits are taken as they are, and others from the 1st
         to the 99th percentile of the image.
@@ -48,13 +52,15 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     """
     image, output = os.fspath(image), os.fspath(output)
     _check(parameters, region_size, num_iterations, value_range, depth_range, workers)
-    start_label = label_number(start_label)
+    start_label = integer(start_label, "start_label")
     source = Source.open(image, None if bands is None else tuple(bands))
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
+    if not is_zarr(output) and not output.lower().endswith((".tif", ".tiff")):
+        raise ValueError("output must be .zarr, .tif or .tiff, not %s" % output)
     if not may_be_replaced(output):
         raise ValueError("output must not be a folder, or a file named .zarr, that is there and no array of Zarr, as %s"
                          " is" % output)
@@ -62,6 +68,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
         parameters["depth_range"] = tuple(depth_range)
+    if depths is not None and depths.dtype not in OTHER_DEPTH and not any(parameters.get("focal_length", ())):
+        parameters["focal_length"] = (USUAL_FOCAL_LENGTH * max(source.height, source.width),) * 2
     parameters.update(region_size=region_size, num_iterations=num_iterations)
     tiling = Tiling.of(source.height, source.width, tile_size, region_size)
     if value_range is None:

@@ -50,11 +50,14 @@ class Source:
 
     def _check_values(self) -> None:
         """What is read must be numbers whose order says something."""
-        kind = self._read(Window(0, 0, 1, 1))[0].dtype
-        if kind.kind not in "biuf":
-            raise ValueError("%s must have numbers that are not %s" % (self.name, kind))
+        if self.dtype.kind not in "biuf":
+            raise ValueError("%s must have numbers that are not %s" % (self.name, self.dtype))
         if not is_zarr(self.name) and _has_palette(self.name, self.bands):
             raise ValueError("%s has colours by number: turn them to red, green and blue first" % self.name)
+
+    @property
+    def dtype(self) -> Any:
+        return self._read(Window(0, 0, 1, 1))[0].dtype
 
     def read(self, window: Window) -> Any:
         """height x width, or height x width x 3; and whether a pixel is valid."""
@@ -104,7 +107,7 @@ class Source:
     def range(self, of_depth: bool = False) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are. Of
         depth, what is missing does not count: 0 and below, and 65535 in 16 bits."""
-        if self.read(Window(0, 0, 1, 1))[0].dtype == np.uint8:
+        if self.dtype == np.uint8:
             return None
         step = -(-self.height // SAMPLED_ROWS)
         samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
@@ -145,7 +148,8 @@ def _zarr_shape(name: str) -> Tuple[int, int, int]:
     if "://" not in name and not os.path.exists(name):
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
     shape = getattr(zarr.open(name, mode="r"), "shape", ())
-    if len(shape) not in (2, 3):
+    bands_first = len(shape) == 3 and shape[0] <= 4 < shape[2]
+    if len(shape) not in (2, 3) or bands_first:
         raise ValueError("%s must be an array, height x width or height x width x bands, not %s" %
                          (name, shape or "a group"))
     return shape[0], shape[1], shape[2] if len(shape) == 3 else 1

@@ -13,6 +13,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 import gwatershed
+from gwatershed.segmentation import labels_of
 
 from .sources import Source, to_8_bits
 from .tiling import Tiling
@@ -65,7 +66,9 @@ def _segment(job: Job, window: Any, pixels: Any, free: Any) -> Any:
         return np.full(free.shape, -1, np.int32)
     depth = None if job.depth is None else job.depth.read_depth(window)
     gwatershed.setNumThreads(1)  # the workers share the processors
-    return gwatershed.segment(to_8_bits(pixels, job.value_range), depth=depth, mask=free, **job.parameters)
+    parameters = dict(job.parameters)
+    num_iterations = parameters.pop("num_iterations")
+    return labels_of(to_8_bits(pixels, job.value_range), depth, free, None, num_iterations, False, parameters)
 
 
 def _kept(tiling: Tiling, tile: int, labels: Any) -> Any:
