@@ -83,6 +83,29 @@ TEST_P(ximgproc_GWatershed_scale, takes_a_superpixel_with_very_many_neighbours)
     expectPartition(labelsOf(gws), size, gws->getNumberOfSuperpixels());
 }
 
+// Pixels instead of blocks would take eight times as long. It is the shortest of some calls that is compared.
+TEST(ximgproc_SuperpixelGWatershed, more_effort_takes_little_longer_for_smaller_superpixels)
+{
+    const Mat image = makeScene(Size(320, 240), theRNG());
+    for (const int effort : { 2, 3 })
+    {
+        double shortest[2];
+        for (int i = 0; i < 2; i++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, i == 0 ? 12 : 8);
+            gws->setEffort(effort);
+            shortest[i] = DBL_MAX;
+            for (int call = 0; call < 8; call++)
+            {
+                const int64 start = getTickCount();
+                gws->iterate();
+                shortest[i] = std::min(shortest[i], double(getTickCount() - start));
+            }
+        }
+        EXPECT_LT(shortest[1], 5 * shortest[0]) << effort;
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_scale, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

@@ -50,6 +50,7 @@ static const double PRICE = 22;
 struct EffortRules
 {
     double blocks_for_side, most_blocks; //!< for each superpixel at least so many, by its side in pixels, up to a limit
+    double enough_blocks;        //!< so many of 2x2 pixels do, or pixels would take ten times the time for little more
     int markers;                 //!< for each superpixel, at most
     double pixels_for_marker;    //!< no more markers than one for so many pixels, but one for each superpixel
     double price_before_merging; //!< of boundary
@@ -58,10 +59,10 @@ struct EffortRules
 
 inline const EffortRules& effortRules(int effort)
 {
-    static const EffortRules RULES[] = { { 0.6, 12, 2, 18, 0.5, 1 },
-                                         { 0.88, 12, 4, 18, 0.5, 1 },
-                                         { 2.4, 45, 8, 3, 10, 1 },
-                                         { 2.4, 45, 10, 3, 10, 3 } };
+    static const EffortRules RULES[] = { { 0.6, 12, 12, 2, 18, 0.5, 1 },
+                                         { 0.88, 12, 12, 4, 18, 0.5, 1 },
+                                         { 2.4, 45, 3, 8, 3, 10, 1 },
+                                         { 2.4, 45, 3, 10, 3, 10, 3 } };
     return RULES[effort];
 }
 
@@ -143,7 +144,9 @@ inline double fewestBlocks(int num_pixels, int num_superpixels, float ruler, con
 {
     const double side = std::sqrt(double(num_pixels) / num_superpixels);
     const double regular = std::min(effort.blocks_for_side * side, effort.most_blocks);
-    return num_superpixels * std::max(regular * (2 - std::min(ruler / 10, 1.f)), 1.);
+    const double fewest = num_superpixels * std::max(regular * (2 - std::min(ruler / 10, 1.f)), 1.);
+    const double of_2x2 = 0.9 * num_pixels / 4; // at least, also where a mask cuts some off
+    return of_2x2 < num_superpixels * effort.enough_blocks ? fewest : std::min(fewest, of_2x2);
 }
 
 //! The flood makes as many regions for each superpixel, which are merged. Few blocks do not make many regions worth it.
