@@ -152,8 +152,10 @@ cv::Mat takeOutput(const py::object& array, const char* name)
     const int depth = depthOf(values.dtype()), channels = channelsOf(values, name);
     if (values.size() == 0)
         return cv::Mat();
+    if (depth < 0)
+        throw py::value_error(std::string(name) + " must not be of the type " + textOf(values.dtype()));
     const bool native = values.dtype().attr("isnative").cast<bool>();
-    if (depth < 0 || !native || !values.writeable() || !isLayoutOfMatrix(values, channels))
+    if (!native || !values.writeable() || !isLayoutOfMatrix(values, channels))
         throw py::value_error(std::string(name) +
                               " must be an array in native byte order that can be written to row by row");
     return headerOf(values, depth, channels);

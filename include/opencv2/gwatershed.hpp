@@ -34,7 +34,7 @@ Buffers are allocated for that size. Images of another size or number of channel
 
 @param image_width Width of the images to come in pixels, 1 or more.
 @param image_height Height in pixels, 1 or more.
-@param image_channels Number of channels, 1 to 4.
+@param image_channels Number of channels, 1 to 4. It is checked, and nothing else.
 @param num_superpixels Number of superpixels, met exactly. See SuperpixelGWatershed::setDesiredSuperpixels.
 @param algorithm One of #GWatershedType.
 @param ruler Compactness. See SuperpixelGWatershed::setRuler.

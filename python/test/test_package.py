@@ -204,6 +204,8 @@ class ObjectTest(unittest.TestCase):
         gws.iterate(make_image())
         with self.assertRaisesRegex(ValueError, "byte order"):
             gws.getLabels(np.zeros((96, 128), np.dtype(np.int32).newbyteorder()))
+        with self.assertRaisesRegex(ValueError, "int64"):
+            gws.getLabels(np.zeros((96, 128), np.int64))
 
     def test_saved_parameters(self):
         gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)

@@ -20,6 +20,7 @@ static Range findRange(const Mat& line)
     return first == end ? Range(0, 0) : Range(int(first - begin), int(last - begin));
 }
 
+//! @note As boundingRect(), which OpenCV 5 has in a module of its own.
 Rect findBounds(const Mat& mask)
 {
     Mat columns, rows;
