@@ -12,10 +12,10 @@ namespace gwatershed
 
 using SessionClass = pybind11::class_<Session, std::shared_ptr<Session> >;
 
-//! Gives the class of Python the setters and getters of all parameters.
 //! An argument that takes integers of any type, and no other number, which would be cut off.
 inline pybind11::arg integer(const char* name) { return pybind11::arg(name).noconvert(); }
 
+//! Gives the class of Python the setters and getters of all parameters.
 void bindParameters(SessionClass& session_class);
 
 //! Sets parameters by their names, as the constructor takes them. Throws TypeError where there is no such name.

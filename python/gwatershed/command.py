@@ -4,6 +4,7 @@
 """The command gwatershed: superpixels of images in files."""
 import argparse
 import os
+import re
 import struct
 import sys
 import time
@@ -26,12 +27,12 @@ RED = (255, 0, 0)
 
 
 def displayed(image: Any) -> Any:
-    """An image in three channels of 8 bits. Others lose one value in 1000 at each end, as where they are segmented."""
+    """An image in three channels of 8 bits. Others lose one value in 1000 at each end."""
     if image.dtype == np.uint8:
         return image
     finite = image[np.isfinite(image)].astype(np.float64)
     low, high = np.percentile(finite, (0.1, 99.9)) if finite.size else (0, 1)
-    scaled = (image.astype(np.float64) - low) * (255 / max(high - low, np.finfo(float).tiny))
+    scaled = (image.astype(np.float64) - low) * (255 / ((high - low) or 1))
     gray = np.nan_to_num(scaled.clip(0, 255)).round().astype(np.uint8)
     return np.repeat(gray[:, :, np.newaxis], 3, axis=2)
 
@@ -80,7 +81,8 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--show", choices=sorted(PICTURES), default="contours",
                         help="what to write: the image with contours (the default), mean colours, or labels as numbers")
     parser.add_argument("--version", action="version", version="%(prog)s " + __version__)
-    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but errors")
+    parser.add_argument("-q", "--quiet", action="store_true",
+                        help="say nothing but errors, and what of a file is left out")
     parsed = parser.parse_args(arguments)
     if parsed.depth and len(parsed.images) > 1:
         parser.error("--depth goes with one image")
@@ -107,23 +109,28 @@ def read_depth(name: str) -> Any:
 
 
 def has_16_bits(decoder: str, details: Any) -> bool:
-    """Whether what Pillow decodes has more than 8 bits: by the name of the layout, or by the highest value."""
+    """Whether what Pillow decodes has more than 8 bits: by the name of the layout, which ends with the order of bytes,
+    of the decoder, or by the highest value. JPEG 2000 does not say it."""
+    if decoder in ("ppm", "ppm_plain"):
+        return isinstance(details, tuple) and details[-1] > 255
     layout = details[0] if isinstance(details, tuple) else details
-    return ";16" in str(layout) or (decoder == "ppm" and details[1] > 255)
+    return decoder == "SGI16" or re.search(";16[BLN]", str(layout)) is not None
 
 
 def look_for_more(file: Any, name: str) -> None:
-    """Whether there is more in a file than is read of it: pages, or bits, which Pillow cuts off where colours have 16."""
-    if file.mode[0] not in "IF" and any(has_16_bits(tile[0], tile[3]) for tile in file.tile):
+    """Says that a file has more pages than the one that is read, and refuses what Pillow would cut bits off."""
+    BITS_PER_SAMPLE = 258
+    in_tags = file.format == "TIFF" and max(file.tag_v2.get(BITS_PER_SAMPLE, (8,))) > 8
+    if file.mode[0] not in "IF" and (in_tags or any(has_16_bits(tile[0], tile[3]) for tile in file.tile)):
         raise ValueError("%s has 16 bits for each channel, of which Pillow reads 8: call segment() with what"
-                         " cv2.imread(file, cv2.IMREAD_UNCHANGED) gives, or gwatershed-tiles" % name)
+                         " cv2.imread() gives with IMREAD_UNCHANGED, or gwatershed-tiles" % name)
     pages = getattr(file, "n_frames", 1)
     if pages > 1:
         print("gwatershed: %s: the first of %d pages" % (name, pages), file=sys.stderr)
 
 
 def upright(image: Any) -> Any:
-    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged. Pillow turns TIFF when it loads it."""
+    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged. TIFF is turned by load()."""
     from PIL import ImageOps
     if image.format == "TIFF":
         image.load()

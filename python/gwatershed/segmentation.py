@@ -24,7 +24,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
     region_size: side of a superpixel in pixels, 10 if neither this nor num_superpixels is given; as many as fit.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
     depth: depth map of the same size, floats or integers but int8. 0, what is below, NaN and 65535 of uint16 are
-        missing; infinity is far. A UserWarning says where none is valid, or none within depth_range.
+        missing; infinity is far. A UserWarning says if none is valid, or none lies in depth_range.
     mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
     markers: integers, positive ones are markers that superpixels grow from, instead of region_size and num_superpixels.
     num_iterations: more of them follow the image better.
@@ -113,11 +113,12 @@ def integer(value: Any, name: str) -> int:
 
 def _warn_of_depth(depth: Any, near: float, far: float) -> None:
     """Depth that says nothing is no error: a camera may see nothing. But it is a mistake of units more often."""
-    valid = depth[(depth > 0) & ((depth != 65535) | (depth.dtype != np.uint16))]
-    if valid.size == 0:
+    is_word = depth.dtype.newbyteorder("=") == np.uint16
+    valid = (depth > 0) & (depth != 65535) if is_word else depth > 0
+    if not valid.any():
         warnings.warn("depth has no valid value: the superpixels follow colour alone", stacklevel=3)
-    elif far > 0 and (valid.min() >= far or valid.max() <= near):
-        warnings.warn("no depth lies within depth_range, %g to %g: have both the same unit?" % (near, far), stacklevel=3)
+    elif far > 0 and not (valid & (depth >= near) & (depth <= far)).any():
+        warnings.warn("no depth lies in depth_range, %g to %g: have both the same unit?" % (near, far), stacklevel=3)
 
 
 def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool, with_surface: bool) -> Any:
@@ -156,7 +157,7 @@ def _colors(image: Any, as_they_are: bool) -> Any:
         raise ValueError("image must not be None")
     image = _plain(image, "image")
     if image.ndim == 3 and image.shape[2] > 4:
-        raise ValueError("image must have 1 to 4 channels, as its last dimension, and not the shape %s" % (image.shape,))
+        raise ValueError("image must have 1 to 4 channels, as its last dimension, not the shape %s" % (image.shape,))
     if image.dtype == bool:
         image = image * np.uint8(255)
     if image.ndim == 3 and image.shape[2] in (3, 4) and not as_they_are:

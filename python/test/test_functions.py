@@ -70,13 +70,16 @@ class FunctionsTest(unittest.TestCase):
     def test_says_when_depth_says_nothing(self):
         image, depth = make_image(), np.linspace(500, 3000, 96 * 128).reshape(96, 128)
         for wrong, depth_range in ((depth * 0, (0, 0)), (-depth, (0, 0)), (depth * np.nan, (0, 0)),
-                                   (np.full(depth.shape, 65535, np.uint16), (0, 0)), (depth, (0.5, 4))):
+                                   (np.full(depth.shape, 65535, np.uint16), (0, 0)), (depth, (0.5, 4)),
+                                   (np.full(depth.shape, 65535, ">u2"), (0, 0)),
+                                   (np.where(depth > 900, 100, 0.1), (0.5, 4))):
             with self.assertWarnsRegex(UserWarning, "depth"):
                 gwatershed.segment(image, 12, depth=wrong, depth_range=depth_range)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             for right, depth_range in ((depth, (0, 0)), (depth, (500, 4000)), (depth / 1000, (0.5, 4)),
-                                       (depth.astype(np.uint16), (0, 600)), (np.where(depth > 2000, 0, depth), (0, 0))):
+                                       (depth.astype(np.uint16), (0, 600)), (np.where(depth > 2000, 0, depth), (0, 0)),
+                                       (np.where(depth > 900, 4, 100), (0.5, 4))):
                 gwatershed.segment(image, 12, depth=right, depth_range=depth_range)
 
     def test_depth_of_any_numbers(self):

@@ -182,14 +182,18 @@ class ResultTest(TilesCase):
         depth = (1000 + 2 * np.abs(x % 240 - 120) + y // 3).astype(np.uint16)
         self.write_zarr("depth.zarr", depth)
         self.write_zarr("flat.zarr", np.full(depth.shape, 90, np.uint8))
-        self.write_zarr("disparity.zarr", depth.astype(np.int16))
+        self.write_zarr("disparity.zarr", depth.astype("<i2"))
+        self.write_zarr("swapped.zarr", depth.astype(">i2"))
         labels = {}
-        for name, arguments in (("usual", {}), ("set", {"focal_length": (488, 488)}), ("other", {"focal_length": (99, 99)}),
-                                ("disparity", {"depth": self.path("disparity.zarr")})):
+        for name, arguments in (("usual", {}), ("set", {"focal_length": (488, 488)}),
+                                ("other", {"focal_length": (99, 99)}),
+                                ("disparity", {"depth": self.path("disparity.zarr")}),
+                                ("swapped", {"depth": self.path("swapped.zarr")})):
             labels[name] = self.run_tiles(image="flat.zarr", **{"depth": self.path("depth.zarr"), **arguments})[1]
         np.testing.assert_array_equal(labels["usual"], labels["set"])
         self.assertFalse((labels["usual"] == labels["other"]).all())
         self.assertFalse((labels["usual"] == labels["disparity"]).all())
+        np.testing.assert_array_equal(labels["disparity"], labels["swapped"])
 
     def test_numbers_of_numpy_and_paths(self):
         number, expected = self.run_tiles(ruler=5, bands=(1, 2, 3), value_range=(0, 255))

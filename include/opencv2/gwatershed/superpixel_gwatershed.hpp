@@ -355,9 +355,9 @@ public:
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
-    Time is relative. Below 5x5 pixels 2 and 3 take ten times as long. UE is the undersegmentation error of 400
-    superpixels on the photographs of BSDS500's train split. With surfaces (setFocalLength()), and in temporal mode, 3
-    is the same as 2. With user markers effort has no effect. */
+    Time is relative to 1. Superpixels of 3x3 pixels take ten times that time with 2 and 3, in noise larger ones with 3.
+    UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
+    (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
@@ -412,7 +412,7 @@ public:
     the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first one that
     the values of the frame lie in, -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside
     of it, or all but one in 1000 at each end span less than a sixteenth of it (not for CV_8U), and always for CV_16S
-    and CV_32S, it is the range of the frame: from the lowest to the highest finite value but these, or of a sample.
+    and CV_32S, the range is that of the finite values of the frame, or of a sample, without one in 1000 at each end.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
     also for a sensor with more than one saturated pixel in 1000, and for 8 bits and floats that use a small part. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;

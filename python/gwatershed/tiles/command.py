@@ -5,7 +5,7 @@
 import argparse
 import sys
 import warnings
-from typing import List, Optional
+from typing import Any, Dict, List, Optional
 
 import gwatershed
 
@@ -50,7 +50,7 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
     warnings.filterwarnings("ignore", "Dataset has no geotransform")  # a plain picture has none
-    camera = {} if parsed.focal_length is None else {"focal_length": (parsed.focal_length,) * 2}
+    camera: Dict[str, Any] = {} if parsed.focal_length is None else {"focal_length": (parsed.focal_length,) * 2}
     try:
         number = segment_file(
             parsed.image, parsed.output, parsed.region_size, depth=parsed.depth, bands=parsed.bands,

@@ -18,7 +18,8 @@ from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
 
 USUAL_FOCAL_LENGTH = 0.8  # of the longer side of the image
-OTHER_DEPTH = (np.uint8, np.int16)  # scaled already, or a disparity: not metric, unless the user gives a focal length
+# Scaled already, or a disparity: not metric, unless the user gives a focal length.
+OTHER_DEPTH = (np.bool_, np.uint8, np.int16)
 
 
 def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optional[str] = None,
@@ -30,8 +31,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
 
     image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands. Complex
         numbers and palettes are refused.
-    output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image. Labels are start_label .. start_label + N - 1,
-        and start_label - 1 where the image has no data.
+    output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image. Labels are start_label .. start_label
+        + N - 1, and start_label - 1 where the image has no data.
     region_size: side of a superpixel in pixels.
     depth: file of the depth, of the same size. By default the focal length is that of segment() for the whole image.
         The optical axis is in the middle of each tile.
@@ -68,7 +69,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
         parameters["depth_range"] = tuple(depth_range)
-    if depths is not None and depths.dtype not in OTHER_DEPTH and not any(parameters.get("focal_length", ())):
+    is_metric = depths is not None and depths.dtype.newbyteorder("=") not in OTHER_DEPTH
+    if is_metric and not any(parameters.get("focal_length", ())):
         parameters["focal_length"] = (USUAL_FOCAL_LENGTH * max(source.height, source.width),) * 2
     parameters.update(region_size=region_size, num_iterations=num_iterations)
     tiling = Tiling.of(source.height, source.width, tile_size, region_size)

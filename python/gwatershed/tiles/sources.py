@@ -112,7 +112,7 @@ class Source:
         step = -(-self.height // SAMPLED_ROWS)
         samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
         if of_depth:
-            samples = samples[(samples > 0) & ((samples != 65535) | (samples.dtype != np.uint16))]
+            samples = samples[(samples > 0) & ((samples != 65535) | (samples.dtype.newbyteorder("=") != np.uint16))]
         if samples.size == 0:
             return None
         low, high = (float(p) for p in np.percentile(samples.astype(np.float64), (1, 99)))
