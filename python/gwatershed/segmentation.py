@@ -111,10 +111,15 @@ def integer(value: Any, name: str) -> int:
         raise TypeError("%s must be an integer, not %.60r" % (name, value)) from None
 
 
+def valid_depth(depth: Any) -> Any:
+    """Where depth is not missing."""
+    is_word = depth.dtype.newbyteorder("=") == np.uint16
+    return (depth > 0) & (depth != 65535) if is_word else depth > 0
+
+
 def _warn_of_depth(depth: Any, near: float, far: float) -> None:
     """Depth that says nothing is no error: a camera may see nothing. But it is a mistake of units more often."""
-    is_word = depth.dtype.newbyteorder("=") == np.uint16
-    valid = (depth > 0) & (depth != 65535) if is_word else depth > 0
+    valid = valid_depth(depth)
     if not valid.any():
         warnings.warn("depth has no valid value: the superpixels follow colour alone", stacklevel=3)
     elif far > 0 and not (valid & (depth >= near) & (depth <= far)).any():

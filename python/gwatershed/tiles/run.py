@@ -19,7 +19,7 @@ from .work import Job, do_tile, final_labels, number_tile
 
 USUAL_FOCAL_LENGTH = 0.8  # of the longer side of the image
 # Scaled already, or a disparity: not metric, unless the user gives a focal length.
-OTHER_DEPTH = (np.bool_, np.uint8, np.int16)
+OTHER_DEPTH = ("bool", "uint8", "int16")
 
 
 def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optional[str] = None,
@@ -69,7 +69,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
         parameters["depth_range"] = tuple(depth_range)
-    is_metric = depths is not None and depths.dtype.newbyteorder("=") not in OTHER_DEPTH
+    is_metric = depths is not None and depths.dtype not in OTHER_DEPTH
     if is_metric and not any(parameters.get("focal_length", ())):
         parameters["focal_length"] = (USUAL_FOCAL_LENGTH * max(source.height, source.width),) * 2
     parameters.update(region_size=region_size, num_iterations=num_iterations)

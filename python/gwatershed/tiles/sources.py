@@ -4,10 +4,12 @@
 """Images and depth maps in files, read window by window."""
 import errno
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
+
+from gwatershed.segmentation import valid_depth
 
 from .tiling import Window
 
@@ -33,6 +35,7 @@ class Source:
     height: int
     width: int
     modified: int           # so that a run is not taken up with another image of the same name
+    dtype: str = ""         # of the values, as NumPy names it
 
     @staticmethod
     def open(name: str, bands: Optional[Tuple[int, ...]] = None, single: bool = False) -> "Source":
@@ -45,19 +48,16 @@ class Source:
         name = name if "://" in name else os.path.abspath(name)
         modified = os.stat(name).st_mtime_ns if os.path.exists(name) else 0
         source = Source(name, tuple(bands), height, width, modified)
-        source._check_values()
-        return source
+        return replace(source, dtype=source._type_of_values())
 
-    def _check_values(self) -> None:
+    def _type_of_values(self) -> str:
         """What is read must be numbers whose order says something."""
-        if self.dtype.kind not in "biuf":
-            raise ValueError("%s must have numbers that are not %s" % (self.name, self.dtype))
+        dtype = self._read(Window(0, 0, 1, 1))[0].dtype
+        if dtype.kind not in "biuf":
+            raise ValueError("%s must have numbers that are not %s" % (self.name, dtype))
         if not is_zarr(self.name) and _has_palette(self.name, self.bands):
             raise ValueError("%s has colours by number: turn them to red, green and blue first" % self.name)
-
-    @property
-    def dtype(self) -> Any:
-        return self._read(Window(0, 0, 1, 1))[0].dtype
+        return str(dtype.newbyteorder("=").name)
 
     def read(self, window: Window) -> Any:
         """height x width, or height x width x 3; and whether a pixel is valid."""
@@ -107,12 +107,12 @@ class Source:
     def range(self, of_depth: bool = False) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are. Of
         depth, what is missing does not count: 0 and below, and 65535 in 16 bits."""
-        if self.dtype == np.uint8:
+        if self.dtype == "uint8":
             return None
         step = -(-self.height // SAMPLED_ROWS)
         samples = np.concatenate([self._sample_row(y) for y in range(step // 2, self.height, step)])
         if of_depth:
-            samples = samples[(samples > 0) & ((samples != 65535) | (samples.dtype.newbyteorder("=") != np.uint16))]
+            samples = samples[valid_depth(samples)]
         if samples.size == 0:
             return None
         low, high = (float(p) for p in np.percentile(samples.astype(np.float64), (1, 99)))
