@@ -95,7 +95,7 @@ def read_image(name: str) -> Any:
     """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off."""
     from PIL import Image
     Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
-    with Image.open(name) as file:
+    with open(name, "rb") as stream, Image.open(stream) as file:
         look_for_more(file, name)
         image = upright(file)
         return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
@@ -103,7 +103,7 @@ def read_image(name: str) -> Any:
 
 def read_depth(name: str) -> Any:
     from PIL import Image
-    with Image.open(name) as file:
+    with open(name, "rb") as stream, Image.open(stream) as file:
         look_for_more(file, name)
         return fit_16_bits(np.asarray(upright(file)), "depth")
 
@@ -130,7 +130,8 @@ def look_for_more(file: Any, name: str) -> None:
 
 
 def upright(image: Any) -> Any:
-    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged. TIFF is turned by load()."""
+    """Turned as the camera says, as cv2.imread() does it, unless what it says is damaged. TIFF is turned by load(), but
+    wrongly by Pillow 11 to 13 where it maps the file into memory, as it does with files that it opened by name."""
     from PIL import ImageOps
     if image.format == "TIFF":
         image.load()

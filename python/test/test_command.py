@@ -154,11 +154,14 @@ class CommandTest(unittest.TestCase):
         Image.fromarray(np.rot90(self.depth)).save(self.path("turned_depth.png"), exif=turned)
         Image.fromarray(np.rot90(self.depth)).save(self.path("turned_depth.tiff"), exif=turned)
         Image.fromarray(self.image).save(self.path("damaged.png"), exif=turned.tobytes()[:-9])
+        gray = self.image[..., 0]
+        Image.fromarray(np.rot90(gray)).save(self.path("turned_gray.tiff"), exif=turned)
         for name, depth in (("turned.png", None), ("turned.png", "turned_depth.png"), ("damaged.png", None),
-                            ("turned.tiff", None), ("turned.png", "turned_depth.tiff")):
+                            ("turned.tiff", None), ("turned.png", "turned_depth.tiff"), ("turned_gray.tiff", None)):
             arguments = ["-d", self.path(depth)] if depth else []
             self.run_command(self.path(name), "-o", self.path("out.npy"), "--show", "labels", "-s", "12", *arguments)
-            expected = gwatershed.segment(self.image, 12, depth=self.depth if depth else None)
+            expected = gwatershed.segment(gray if "gray" in name else self.image, 12,
+                                          depth=self.depth if depth else None)
             np.testing.assert_array_equal(np.load(self.path("out.npy")), expected)
             os.remove(self.path("out.npy"))
 
