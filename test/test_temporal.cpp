@@ -160,6 +160,25 @@ TEST_P(ximgproc_GWatershed_temporal, starts_again_where_there_is_nothing_to_foll
     EXPECT_TRUE(equalMats(segmentAnew(second, GetParam(), 50), labelsOf(gws)));
 }
 
+//! Blocks that do not fill the image are in the middle or, where there are normals, at the end.
+TEST(ximgproc_SuperpixelGWatershed, starts_again_where_depth_moves_short_blocks)
+{
+    for (const Size& size : { Size(161, 120), Size(160, 121), Size(160, 120) })
+    {
+        const Mat image = makeScene(size, theRNG());
+        Mat depth(size, CV_16UC1);
+        for (int y = 0; y < size.height; y++)
+            for (int x = 0; x < size.width; x++)
+                depth.at<ushort>(y, x) = ushort(1000 + 3 * x + 2 * y);
+        Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 60);
+        Ptr<SuperpixelGWatershed> anew = createTemporal(size, RGWATERSHED, 60);
+        gws->iterate(image);
+        gws->iterate(image, depth);
+        anew->iterate(image, depth);
+        EXPECT_EQ(size != Size(160, 120), equalMats(labelsOf(anew), labelsOf(gws))) << size;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_temporal, any_stream_gives_partitions)
 {
     RNG& rng = theRNG();

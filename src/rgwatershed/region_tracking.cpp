@@ -47,7 +47,16 @@ void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Pa
 void RegionTracker::keep(const Plan& plan, const Mat& labels)
 {
     last_.side = plan.levels.side(plan.levels.top);
+    last_.centered = plan.levels.centered;
     labels.copyTo(last_.labels);
+}
+
+//! Normals come and go with depth, and with them short blocks move, if there are any.
+bool RegionTracker::hasSameBlocks(const BlockLevels& levels, Size image) const
+{
+    const int side = levels.side(levels.top);
+    const bool has_short_ones = image.width % side != 0 || image.height % side != 0;
+    return side == last_.side && (levels.centered == last_.centered || !has_short_ones);
 }
 
 bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
@@ -55,7 +64,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
 {
     CV_TRACE_FUNCTION();
     const FeatureMap& features = pyramid[plan.levels.top];
-    if (plan.levels.side(plan.levels.top) != last_.side)
+    if (!hasSameBlocks(plan.levels, pyramid[0].size()))
         return false;
     std::vector<int64> errors;
     labels.create(last_.labels.size(), OUTSIDE);

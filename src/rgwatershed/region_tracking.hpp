@@ -38,6 +38,7 @@ private:
         double changed_area, area;
     };
 
+    bool hasSameBlocks(const BlockLevels& levels, Size image) const;
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
     void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, Change& change,
                         Padded<int>& labels, Regions& regions);
@@ -50,6 +51,7 @@ private:
     struct Last
     {
         int side = 0;              // of the blocks, in pixels; 0: there is no frame
+        bool centered = false;     // where the short blocks are
         Mat labels;                // of the blocks
         std::vector<int64> errors; // of each region when it was made
     };
