@@ -421,14 +421,14 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     CV_TRACE_FUNCTION();
     nearness = normals = Mat();
     DepthSpan span = findSpan(depth);
+    if (span.range.last <= 0)
+        return; // there are not two depths
     if (range.last > 0)
     {
         range.first = std::max(range.first, std::min(span.range.first, range.last) / 2);
         span = { range, false };
     }
-    if (span.range.last <= 0)
-        return;
-    const float first = std::max(span.range.first, span.range.last <= FLT_MAX ? span.range.last / 256 : 0);
+    const float first = span.range.first;
     const NearnessScale scale = scaleOf(first, span.range.last, span.nearer ? NEAREST - LEVELS_OF_GAP : NEAREST);
     camera.horizon = scale.horizon;
 

@@ -102,6 +102,40 @@ TEST(ximgproc_GWatershed_surfaces, small_things_near_to_the_camera_are_cut_out)
     }
 }
 
+//! As the far plane of a renderer: it takes no level from what is near.
+TEST(ximgproc_GWatershed_surfaces, a_far_background_takes_no_levels_from_others)
+{
+    Mat ball = Mat::zeros(SIZE, CV_8UC1);
+    circle(ball, Point(160, 150), 40, Scalar(1), FILLED);
+    for (const double& sky : { 20., 1e3, 65504., 1e10 })
+    {
+        Mat depth(SIZE, CV_32FC1, Scalar(2.6));
+        depth.rowRange(0, 60).setTo(Scalar(sky));
+        depth.setTo(Scalar(2), ball);
+        EXPECT_GT(purity(labelsOf(segment(gray(), depth, 100)), 100, ball), 0.99) << sky;
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 100);
+        gws->setDepthRange(0, float(sky));
+        gws->iterate(gray(), depth);
+        EXPECT_GT(purity(labelsOf(gws), 100, ball), 0.99) << sky;
+    }
+}
+
+//! As the tutorial says.
+TEST(ximgproc_GWatershed_surfaces, steps_of_2_percent_become_boundaries)
+{
+    Mat disc = Mat::zeros(SIZE, CV_8UC1);
+    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    for (const double& step : { 0.02, 0.05, 0.5 })
+        for (const int& side : { 10, 20, 30 })
+        {
+            Mat depth(SIZE, CV_16UC1, Scalar(1500));
+            depth.setTo(Scalar(1500 * (1 + step)), disc);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(gray(), depth, RGWATERSHED, side);
+            gws->iterate();
+            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+        }
+}
+
 TEST(ximgproc_GWatershed_surfaces, few_wrong_depths_near_to_the_camera_take_no_levels_from_others)
 {
     Mat depth(SIZE, CV_32FC1, Scalar(1500)), box = Mat::zeros(SIZE, CV_8UC1);
