@@ -6,7 +6,7 @@
 
 namespace opencv_test { namespace {
 
-// The order of mergeSimilar(), against its documentation.
+// The order of mergeSimilar(), against the formula in shared/union_cost.hpp.
 
 typedef testing::TestWithParam<int> ximgproc_GWatershed_merging;
 
@@ -72,7 +72,7 @@ double explainedBySlopes(const Slope& a, const Slope& b, double area, double squ
     for (int i = 0; i < 2; i++)
         turn[i] = std::max(0., std::abs(a.rise[i] - b.rise[i]) - (are_shades ? 0.35 : 0));
     const double explained = area * std::max(0., std::min(a.rise.dot(a.rise), b.rise.dot(b.rise)) - turn.dot(turn) -
-                                                     std::pow(0.33 * std::max(a.rough, b.rough), 2));
+                                                     std::pow(std::max(a.rough, b.rough), 2));
     return are_shades && squared_distance > 8 * explained ? 0 : explained;
 }
 
@@ -175,7 +175,7 @@ struct Plan
     }
 };
 
-//! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its documentation. Steps
+//! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its formula. Steps
 //! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and
 //! no slope.
 std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,

@@ -56,7 +56,7 @@ inline MergeRules mergeByTextures()
     rules.chroma_slope = 3;
     rules.slope = 4; // but none in a part of a plan: so the plan holds on a ramp, too
     rules.grain = 2.5f; // with less, two levels of noise make strips of a ramp
-    rules.roughness = 21;
+    rules.roughness = 64;
     rules.usual = 2.9f;
     rules.noise = 96;
     rules.noise_in_cell = 12;

@@ -65,8 +65,9 @@ label, which are -1 (setMask(), setMarkers()), and results that depend on earlie
 **Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
 The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so
 give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two
-channels count alike, but for the gradient of setBorderThreshold(). If there are more, choose some by
-cv::extractChannel(), or reduce them by cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
+channels count alike in RGWATERSHED, up to rounding; the gradient of GWATERSHED is one of grey, which weighs them, see
+setBorderThreshold(). If there are more, choose some by cv::extractChannel(), or reduce them by cv::PCA. Images have
+(width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
@@ -200,25 +201,13 @@ public:
     for all numbers are nested, and later calls cost little more than writing labels. Superpixels stay connected.
     Labels keep their order, without gaps. enforceLabelConnectivity() and mergeSmall() start a new order if they merge.
 
-    Cheap pairs merge first, in rounds, by Ward's criterion @cite Beaulieu1989 with terms for colour, texture and more:
-    @f[ (d^2 + 4 s \min(n_a, n_b) + e)^{0.58} \left(\frac{n_a n_b}{n_a + n_b}\right) (h + 1)^{0.95}
-        \left(l / \sqrt{\min(n_a, n_b)}\right)^{-0.66} (|L_a - L_b| + 1)^{-0.39} (L + 16)^{-0.47} (c + 1)^{0.16}
-        (\min(t_a, t_b) + 1)^{-1.17} \left(\frac{\max(r_a, r_b)}{\min(r_a, r_b)}\right)^{0.5}
-        \max(1, (n_a + n_b) / u)^{32} @f]
-    d is the Euclidean distance of mean colours and depths (beside depth, its exponent is 0.88; with surfaces, depth is
-    that of a centre from the other plane, the smaller one, and normals count), c the sum of absolute differences of the
-    two channels beside lightness, n are pixels, l is the common boundary in pixel edges, h the mean over it of such a
-    sum of all channels (with surfaces of the colours). L are the mean lightnesses, also of both, 0 to 255. Texture is
-    t = x + y, r = (x + 0.5) / (y + 0.5): x and y are such sums between pixels and those right and below (in superpixels
-    of iterate()), over every second row, divided by n. g is the slope, the same of lightness, with signs; q = max(0,
-    t - |g|_1 - 2.5) is no slope; s = max(0, min(|g_a|^2, |g_b|^2) - |g_a - g_b|^2 - (0.33 max(q_a, q_b))^2). Where m,
-    |g|_1 of both other channels, is 0.1 to 3 and not below 20 (t - |g|_1 - m - 0.75), q = 0, and g is, right and down,
-    the length of the slopes of all, these times 3; where both are so, each |g_a - g_b| is less by 0.35, not below 0,
-    and s = 0 if d^2 > 8 s min(n_a, n_b). u is 2.9 times the mean n left, whose number keeps its three highest bits.
-    Distances are in 8-bit levels of the opponent space of RGWATERSHED, lightness times 7/16, or of the channels of
-    setLabInput(true); alpha weighs depth. Beside it, L and s do not count up to alpha 0.5 (0.67 with surfaces); c, t
-    and r count in full from alpha 0.33 (0.5) on, and not at all at 0. e is 1.5. A plan divides the image into tiles of
-    ten superpixels, and these into halves, to single ones; between halves e is 3/16 and s is 0.
+    Cheap pairs merge first, in rounds. The cost of a pair is Ward's criterion @cite Beaulieu1989 with more factors, as
+    a product of powers: the contrast across the common boundary and its length, the textures of both and their
+    directions, lightness, chroma, and the area of the union, which is hardly ever more than 2.9 times the mean. On a
+    slope that both are parts of, all directions cost alike. The distances are those of RGWATERSHED, in its opponent
+    space or in the channels of setLabInput(true), with surfaces if there are any; alpha weighs depth. Where colours are
+    equal, a plan decides: it divides the image into tiles of ten superpixels, and these into halves, to single ones.
+    The formula and its constants stand in src/shared/union_cost.hpp.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
@@ -338,7 +327,8 @@ public:
     /** @brief Sets the compactness.
     @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and boundaries
     are ragged. Small values give high boundary recall, larger ones more compact superpixels, though never squares. The
-    effect does not depend on the bit depth of the image or on the size of superpixels. GWATERSHED ignores it.
+    effect does not depend on the size of superpixels, or, with the same setValueRange(), on the bit depth of the image.
+    GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
@@ -355,7 +345,7 @@ public:
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
-    Time is relative to 1. Superpixels of 3x3 pixels take ten times that time with 2 and 3, in noise larger ones with 3.
+    Time is relative to 1; of 5x5 pixels and fewer, up to 18 times that of 1 with 2 and 3, in noise up to 6x6 with 3.
     UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
     (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
@@ -396,7 +386,8 @@ public:
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
-    of these frames has user markers; and, for RGWATERSHED, if a new ruler or effort changes the size of the blocks.
+    of these frames has user markers; and, for RGWATERSHED, if a new ruler or effort changes the size of the blocks, or
+    if depth with normals comes or goes and these blocks do not divide the image evenly.
     @note mergeSimilar(), mergeSmall() and enforceLabelConnectivity() renumber the labels of one frame only. The next
     frame continues from the result of iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
@@ -429,9 +420,10 @@ public:
     sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes 7/8 of that
     range, as where a part of the frame is far behind all else or holds a value that means "no depth", it gets fewer
     levels. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
-    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth. Its near end is the nearest
-    thousandth, not the hundredth, but at most a quarter of the range nearer; a near_depth below half of that counts as
-    half of it, one below far_depth / 256 as that. Differences below 1/2500 of the inverse near end do not count. */
+    @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, in which what is far takes
+    few levels and what is near takes them from all else. Its near end is the nearest thousandth, not the hundredth, but
+    at most a quarter of the range nearer; a near_depth below half of that counts as half of it. Differences below
+    1/2500 of the inverse near end do not count. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
@@ -447,7 +439,7 @@ public:
     @param fx Focal length in pixels of the image, 0 or more, finite. If 0, the default, it is 0.8 of the longer side of
     the image, or of the bounds of a mask, which is near to that of usual sensors (Kinect 0.82, RealSense D435 0.72),
     for CV_16UC1, CV_32FC1 and CV_64FC1. Other depth, which is scaled already or a disparity, has no normals then: leave
-    0 for it. Images narrower or lower than 16 pixels, or wider or higher than 32767, have no normals either. The
+    0 for it. Images, or bounds of a mask, with a side below 16 or above 32767 pixels have no normals either. The
     optical axis meets the middle of the image, at ((width - 1) / 2, (height - 1) / 2), or that of the bounds of a mask.
     Set the focal length for parts of an image, and for other lenses.
     @param fy The same along y, 0 or more, finite. If 0, the default, it is fx. It must be 0 if fx is.
