@@ -2,7 +2,7 @@
 """Fails on a source file that breaks a rule of the house which can be read off it: scripts/rooms.py [ROOT]
 
 Rooms: the folders of src/. shared/ includes no other room; results/ and the two algorithms include shared/ and
-themselves; only the files beside the rooms include all of them. A name stands for one file, or for a header and the .cpp
+themselves; only the files beside the rooms include all of them. Every .cpp includes precomp.hpp first. A name stands for one file, or for a header and the .cpp
 that defines what it declares.
 All C++: the licence first, at most 500 lines of at most 120 columns, no macros but include guards.
 """
@@ -33,6 +33,9 @@ def room_of(path):
 
 
 def check_includes(src, path):
+    first = re.search(r'^\s*#\s*include\s*(\S+)', path.read_text(), re.MULTILINE)
+    if path.suffix == ".cpp" and first and first[1] != '"precomp.hpp"':
+        report(path, 1, 'the first header is not "precomp.hpp"')
     room = room_of(path.relative_to(src))
     if room and room not in MAY_INCLUDE:
         report(path, 1, "the room %s has no rule in scripts/rooms.py" % room)

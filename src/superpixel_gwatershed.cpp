@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "arguments.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
@@ -386,13 +387,13 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(
     parameters.setAlgorithm(algorithm);
     parameters.setRuler(ruler);
 
-    Ptr<SuperpixelGWatershedImpl> gws;
+    Ptr<SuperpixelGWatershedImpl> created;
     guardMemory([&]()
     {
-        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
-        gws->reserve(Size(image_width, image_height));
+        created = makePtr<SuperpixelGWatershedImpl>(parameters);
+        created->reserve(Size(image_width, image_height));
     });
-    return gws;
+    return created;
 }
 
 //! @note In Python, None is the number 0: it stands for no depth here, and the arguments are those after it.
@@ -415,13 +416,13 @@ Ptr<SuperpixelGWatershed> createSuperpixelGWatershed(InputArray image, InputArra
     parameters.setRuler(ruler);
     parameters.setAlpha(alpha);
 
-    Ptr<SuperpixelGWatershedImpl> gws;
+    Ptr<SuperpixelGWatershedImpl> created;
     guardMemory([&]()
     {
-        gws = makePtr<SuperpixelGWatershedImpl>(parameters);
-        gws->keep(checked, checked_depth);
+        created = makePtr<SuperpixelGWatershedImpl>(parameters);
+        created->keep(checked, checked_depth);
     });
-    return gws;
+    return created;
 }
 
 }} // namespace

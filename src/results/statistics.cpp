@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "results/statistics.hpp"
 #include "results/surface_fits.hpp"
 #include "shared/valid_depth.hpp"

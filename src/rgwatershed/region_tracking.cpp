@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_texture.hpp"
@@ -60,7 +61,7 @@ bool RegionTracker::hasSameBlocks(const BlockLevels& levels, Size image) const
 }
 
 bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
-                          Padded<int>& labels, Regions& regions)
+                          MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
     const FeatureMap& features = pyramid[plan.levels.top];
@@ -80,7 +81,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     if (change.changed_area > change.area / 2)
         return false;
     if (change.changed_area > 0)
-        replaceChanged(plan, pyramid, mask, change, labels, regions);
+        replaceChanged(plan, pyramid, mask, merge_buffers, change, labels, regions);
     return true;
 }
 
@@ -98,12 +99,12 @@ RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors
 }
 
 //! The errors of the new regions are what later ones are measured by.
-void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, Change& change,
-                                   Padded<int>& labels, Regions& regions)
+void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask,
+                                   MergeBuffers& merge_buffers, Change& change, Padded<int>& labels, Regions& regions)
 {
     const FeatureMap& features = pyramid[plan.levels.top];
     const int num_kept = floodChanged(plan, features, mask, change, labels, regions);
-    mergeAll(plan, pyramid, num_kept, change, labels, regions);
+    mergeAll(plan, pyramid, num_kept, merge_buffers, change, labels, regions);
     std::vector<int64> errors;
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
     for (size_t i = 0; i < errors.size(); i++)
@@ -128,16 +129,16 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
         }
     const int num_kept = int(names_.size());
     regions.resize(num_kept);
-    Mat map = labels.view(), before, gradient, dissolved;
+    Mat map = labels.view(), before, dissolved;
     map.copyTo(before);
     renumber(numbers, map);
 
     const double fewest = std::max(double(num_regions - num_kept), change.changed_area * num_regions / change.area);
     const int num_markers = int(std::min(change.changed_area, plan.markers_per_superpixel * fewest));
     std::vector<Point> markers;
-    computeBlockGradient(features, plan.flood_distance, mask, gradient);
+    computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     compare(map, Scalar(UNSEEN), dissolved, CMP_EQ);
-    placeShapeMarkers(gradient, dissolved, num_markers, marker_buffers_, markers);
+    placeShapeMarkers(gradient_, dissolved, num_markers, marker_buffers_, markers);
     const std::vector<MarkerBand> bands(1, wholeBand(features.size(), int(markers.size())));
     floodFromPoints(features, markers, std::vector<Point>(), bands, plan.flood_distance,
                     plan.floodRuler(change.changed_area, num_markers),
@@ -149,16 +150,15 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, Change& change,
-                             Padded<int>& labels, Regions& regions)
+void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers,
+                             Change& change, Padded<int>& labels, Regions& regions)
 {
     const FeatureMap& features = pyramid[plan.levels.top];
-    Mat map = labels.view(), steps;
+    Mat map = labels.view();
     std::vector<int> areas(regions.size()), numbers;
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
-    MergeBuffers buffers;
-    measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), steps, buffers.textures);
+    measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), steps_, buffers.textures);
     buffers.graph.build(map, regions.size(), features, plan.flood_distance);
     SimilarMerger merger(plan.flood_distance, trackedMergeRules(plan.merge_rules, num_kept), buffers, regions);
     merger.run(int(change.changed.size()));

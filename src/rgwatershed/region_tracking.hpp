@@ -28,7 +28,7 @@ public:
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with
     //! labels and regions that are of no use, if most of the scene is new or other blocks were flooded.
     bool track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
-               Padded<int>& labels, Regions& regions);
+               MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions);
 
 private:
     //! Regions that have changed much.
@@ -40,12 +40,12 @@ private:
 
     bool hasSameBlocks(const BlockLevels& levels, Size image) const;
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
-    void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, Change& change,
-                        Padded<int>& labels, Regions& regions);
+    void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
+                        Change& change, Padded<int>& labels, Regions& regions);
     int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, const Change& change,
                      Padded<int>& labels, Regions& regions);
-    void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, Change& change, Padded<int>& labels,
-                  Regions& regions);
+    void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers, Change& change,
+                  Padded<int>& labels, Regions& regions);
 
     //! What a frame leaves for the next one.
     struct Last
@@ -60,6 +60,7 @@ private:
     std::vector<int> names_; // labels that the regions have, or had where new ones are
     FloodBuffers flood_buffers_;
     MarkerBuffers marker_buffers_;
+    Mat gradient_, steps_;
 };
 
 }}} // namespace

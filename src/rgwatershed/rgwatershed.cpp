@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/adaptive_markers.hpp"
 #include "rgwatershed/block_gradient.hpp"
@@ -38,7 +39,8 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
-    else if (!frame.continues || !tracker_.track(plan, features_, mask, sweepers_[top], labels_[top], regions_))
+    else if (!frame.continues ||
+             !tracker_.track(plan, features_, mask, sweepers_[top], merge_buffers, labels_[top], regions_))
     {
         const int markers_in_cell = floodBlocks(plan, mask);
         sweepAndMerge(plan, markers_in_cell, merge_buffers);

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "shared/union_cost.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -15,11 +16,15 @@ struct FourRegions
     explicit FourRegions(const MergeRegion* const* regions)
     {
         v_int32x4 words[4], areas, lights;
+        const auto load = [&](int k, int half)
+        {
+            return v_reinterpret_as_s32(v_load(reinterpret_cast<const uchar*>(regions[k]) + 16 * half));
+        };
         for (int k = 0; k < 4; k++)
-            words[k] = v_reinterpret_as_s32(v_load(regions[k]->mean));
+            words[k] = load(k, 0);
         v_transpose4x4(words[0], words[1], words[2], words[3], first_means, last_mean, areas, slopes);
         for (int k = 0; k < 4; k++)
-            words[k] = v_reinterpret_as_s32(v_load(&regions[k]->texture));
+            words[k] = load(k, 1);
         v_transpose4x4(words[0], words[1], words[2], words[3], textures, lights, cell, rough);
         area = v_reinterpret_as_f32(areas);
         light = v_reinterpret_as_f32(lights);

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "precomp.hpp"
 #include "shared/union_plan.hpp"
 #include "shared/grid_markers.hpp"
 #include <algorithm>
@@ -62,13 +63,14 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     const int FINE = 4, IN_TILE = 10;
     const int rows = MarkerGrid(labels.size(), labels.size(), 1, num_labels, 1).rows;
     const Size grid(std::max(1, cvRound(double(num_labels) / rows)), rows), samples = grid * FINE;
+    const auto middleOf = [](int64 i, int64 count, int64 length) { return int(length * (2 * i + 1) / (2 * count)); };
     std::vector<int> columns(samples.width);
     for (int x = 0; x < samples.width; x++)
-        columns[x] = int(int64(labels.cols) * (2 * x + 1) / (2 * samples.width));
+        columns[x] = middleOf(x, samples.width, labels.cols);
     std::vector<Vec3d> sums(num_labels, Vec3d::all(0)); // of halves, so they are exact
     for (int y = 0; y < samples.height; y++)
     {
-        const int* row = labels.ptr<int>(int(int64(labels.rows) * (2 * y + 1) / (2 * samples.height)));
+        const int* row = labels.ptr<int>(middleOf(y, samples.height, labels.rows));
         for (int x = 0; x < samples.width; x++)
         {
             const int label = row[columns[x]];

@@ -302,6 +302,7 @@ public:
     //! @}
 
     //! @name Parameters. They take effect at the next iterate(). A value out of its range throws cv::Exception.
+    //! Without an argument, where that can be, a setter sets the default.
     //! @{
 
     /** @brief Sets the algorithm.
