@@ -129,6 +129,13 @@ class ResultTest(TilesCase):
             self.assertEqual(other, number)
             np.testing.assert_array_equal(same, labels)
 
+    def test_processes_of_the_script_of_debian(self):
+        script = pathlib.Path(__file__).resolve().parents[1] / "debian" / "gwatershed-tiles"
+        subprocess.run([sys.executable, str(script), self.path("image.zarr"), self.path("script.zarr"), "--quiet",
+                        "--region-size", "10", "--tile-size", "160", "--scheduler", "processes", "--workers", "1"],
+                       stderr=subprocess.DEVNULL, check=True)
+        np.testing.assert_array_equal(zarr.open(self.path("script.zarr"), mode="r")[:], self.run_tiles()[1])
+
     def test_is_as_good_as_the_plain_call(self):
         number, labels = self.run_tiles()
         plain = gwatershed.segment(self.image, 10, start_label=1)

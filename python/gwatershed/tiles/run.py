@@ -43,7 +43,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     tile_size: side of a tile in pixels. It changes the labels, and the memory: about 100 bytes for each of its pixels
         and worker.
     scheduler: "threads", "processes", "single-threaded", the address of a scheduler of dask.distributed, or a Client.
-        Workers of a cluster must see the files under the same names. It changes nothing in the labels.
+        Workers of a cluster must see the files under the same names. It changes nothing in the labels. Processes
+        import the script that calls this, which must do so below if __name__ == "__main__".
     workers: number of threads or processes.
     progress: whether to show Dask's progress bar.
     parameters: others of SuperpixelGWatershed, as ruler=10.
