@@ -39,7 +39,7 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
         parameters["region_size"] = region_size
     if num_superpixels is not None:
         parameters["num_superpixels"] = num_superpixels
-    start_label, num_iterations = integer(start_label, "start_label"), integer(num_iterations, "num_iterations")
+    start_label, num_iterations = integer(start_label, "start_label"), count_of(num_iterations, "num_iterations")
     for name, own in NAMES_OF_SLIC.items():
         if name in parameters:
             raise TypeError("there is no parameter %s; here it is %s" % (name, own))
@@ -109,6 +109,14 @@ def integer(value: Any, name: str) -> int:
         return operator.index(value)
     except TypeError:
         raise TypeError("%s must be an integer, not %.60r" % (name, value)) from None
+
+
+def count_of(value: Any, name: str) -> int:
+    """A number of things, of any type of integers."""
+    value = integer(value, name)
+    if not 1 <= value < 2**31:
+        raise ValueError("%s must be from 1 to %d, not %d" % (name, 2**31 - 1, value))
+    return value
 
 
 def valid_depth(depth: Any) -> Any:

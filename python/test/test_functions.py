@@ -56,6 +56,9 @@ class FunctionsTest(unittest.TestCase):
         for value in (2.5, np.float32(2.5), None):
             with self.assertRaisesRegex(TypeError, "num_iterations must be an integer"):
                 gwatershed.segment(image, num_iterations=value)
+        for value in (0, 2**31, 2**64):
+            with self.assertRaisesRegex(ValueError, "num_iterations must be from 1"):
+                gwatershed.segment(image, num_iterations=value)
         np.testing.assert_array_equal(gwatershed.segment(image, np.uint8(12), num_iterations=np.int64(2)),
                                       gwatershed.segment(image, 12, num_iterations=2))
         gray = image[:, :, 0].astype(np.float32)

@@ -171,10 +171,21 @@ class ResultTest(TilesCase):
         self.write_zarr("complex.zarr", self.image[:, :, 0] * 1j)
         for wrong in ({"effort": 9}, {"ruler": -1}, {"rulr": 5}, {"region_size": 0}, {"num_iterations": 0},
                       {"value_range": (5, 5)}, {"depth_range": (5, 1)}, {"workers": 0}, {"start_label": 1.5},
-                      {"image": "complex.zarr", "value_range": (0, 1)}):
-            with self.assertRaises((ValueError, TypeError), msg=wrong):
-                self.run_tiles(**wrong)
-            self.assertFalse(os.path.exists(self.path("labels.zarr.part")), wrong)
+                      {"image": "complex.zarr", "value_range": (0, 1)}, {"tile_size": 160.0}, {"num_iterations": 1.0},
+                      {"num_iterations": 2**40}, {"workers": 1.5}, {"scheduler": None}, {"scheduler": "bogus"},
+                      {"start_label": 2**63 - 9}, {"start_label": -2**63}, {"bands": [1.5]}, {"bands": 2},
+                      {"num_superpixels": 50}, {"temporal": True}, {"output": "s3://place/labels.zarr"}):
+            name = list(wrong)[0]
+            text = {"image": "complex", "value_range": "high_value", "depth_range": "far_depth"}.get(name, name)
+            with self.assertRaisesRegex((ValueError, TypeError), text, msg=wrong):
+                segment_file(**{"image": self.path("image.zarr"), "output": self.path("labels.zarr"), **self.SIZE,
+                                **{key: self.path(of) if key == "image" else of for key, of in wrong.items()}})
+            self.assertEqual(sorted(os.listdir(self.folder.name)), ["complex.zarr", "image.zarr"], wrong)
+
+    def test_labels_up_to_the_largest(self):
+        _, expected = self.run_tiles()
+        _, labels = self.run_tiles(start_label=2**63 - 500 * 610)
+        np.testing.assert_array_equal(labels - (2**63 - 500 * 610 - 1), expected)
 
     def test_refuses_names_and_shapes_that_say_something_else(self):
         for output in ("labels.png", "labels.npy", "labels"):
@@ -214,7 +225,8 @@ class ResultTest(TilesCase):
         depth = np.where(np.arange(610) < 333, 1000, 3000).astype(np.uint16) * np.ones((500, 1), np.uint16)
         self.write_zarr("depth.zarr", depth)
         self.write_zarr("flat.zarr", np.full((500, 610), 90, np.uint8))
-        number, labels = self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"))
+        number, labels = self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"), depth_range=(0, 0))
+        np.testing.assert_array_equal(labels, self.run_tiles(image="flat.zarr", depth=self.path("depth.zarr"))[1])
         self.assert_partition(number, labels)
         across = set(labels[:, :333].ravel()) & set(labels[:, 333:].ravel())
         self.assertLess(len(across), 0.002 * number)
@@ -227,7 +239,8 @@ class ResultTest(TilesCase):
         self.write_zarr("large.zarr", self.image.astype(np.float32) * 7 + 100)
         _, labels = self.run_tiles(image="large.zarr", value_range=(100, 100 + 7 * 255))
         np.testing.assert_array_equal(labels, expected)
-        number, labels = self.run_tiles(image="large.zarr")
+        number, labels = self.run_tiles(image="large.zarr", value_range=(0, 0))
+        np.testing.assert_array_equal(labels, self.run_tiles(image="large.zarr")[1])
         self.assert_partition(number, labels)
         self.assertGreater(explained_variation(labels, self.image), explained_variation(expected, self.image) - 0.01)
 

@@ -11,9 +11,19 @@ from typing import Any, Iterator, List, Optional, Sequence, Tuple
 import numpy as np
 
 import gwatershed
-from gwatershed.segmentation import integer
+from gwatershed.segmentation import count_of, integer
 
-from .sources import Source, is_zarr, may_be_replaced, write_window
+from .arguments import (
+    SCHEDULERS,
+    bands_of,
+    check_output,
+    check_parameters,
+    check_scheduler,
+    check_start_label,
+    range_of,
+    workers_of,
+)
+from .sources import Source, is_zarr, write_window
 from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
 
@@ -31,15 +41,16 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
 
     image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands. Complex
         numbers and palettes are refused.
-    output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image. Labels are start_label .. start_label
-        + N - 1, and start_label - 1 where the image has no data.
+    output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image; no address as s3://. Labels are
+        start_label .. start_label + N - 1, and start_label - 1 where the image has no data.
     region_size: side of a superpixel in pixels.
     depth: file of the depth, of the same size. By default the focal length is that of segment() for the whole image.
         The optical axis is in the middle of each tile.
     bands: one or three of the image, from 1 on; the first three by default. Three are red, green and blue.
-    value_range: values that become black and white; by default 8 bits are taken as they are, and others from the 1st
-        to the 99th percentile of the image.
-    depth_range: depths that are told apart; by default from the 1st to the 99th percentile. 8 bits have none.
+    value_range: values that become black and white; by default, and for (0, 0), 8 bits are taken as they are, and
+        others from the 1st to the 99th percentile of the image.
+    depth_range: depths that are told apart; by default, and for (0, 0), from the 1st to the 99th percentile. 8 bits
+        have none.
     tile_size: side of a tile in pixels. It changes the labels, and the memory: about 100 bytes for each of its pixels
         and worker.
     scheduler: "threads", "processes", "single-threaded", the address of a scheduler of dask.distributed, or a Client.
@@ -47,29 +58,31 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         import the script that calls this, which must do so below if __name__ == "__main__".
     workers: number of threads or processes.
     progress: whether to show Dask's progress bar.
-    parameters: others of SuperpixelGWatershed, as ruler=10.
+    parameters: others of SuperpixelGWatershed, as ruler=10, but num_superpixels and temporal.
 
     What is done is kept beside the output, in the folder output + ".part", until all is done: the same call goes on
     from there. It takes 8 bytes for each pixel, compressed.
     """
     image, output = os.fspath(image), os.fspath(output)
-    _check(parameters, region_size, num_iterations, value_range, depth_range, workers)
-    start_label = integer(start_label, "start_label")
-    source = Source.open(image, None if bands is None else tuple(bands))
+    region_size, tile_size = integer(region_size, "region_size"), integer(tile_size, "tile_size")
+    num_iterations, start_label = count_of(num_iterations, "num_iterations"), integer(start_label, "start_label")
+    value_range, depth_range, workers = range_of(value_range), range_of(depth_range), workers_of(workers)
+    ranges = {"value_range": value_range, "depth_range": depth_range}
+    check_parameters({"region_size": region_size, **parameters,
+                      **{name: of for name, of in ranges.items() if of is not None}})
+    check_scheduler(scheduler)
+    check_output(output)
+    source = Source.open(image, bands_of(bands))
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
-    if not is_zarr(output) and not output.lower().endswith((".tif", ".tiff")):
-        raise ValueError("output must be .zarr, .tif or .tiff, not %s" % output)
-    if not may_be_replaced(output):
-        raise ValueError("output must not be a folder, or a file named .zarr, that is there and no array of Zarr, as %s"
-                         " is" % output)
+    check_start_label(start_label, source.height * source.width)
     if depths is not None and depth_range is None:
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
-        parameters["depth_range"] = tuple(depth_range)
+        parameters["depth_range"] = depth_range
     is_metric = depths is not None and depths.dtype not in OTHER_DEPTH
     if is_metric and not any(parameters.get("focal_length", ())):
         parameters["focal_length"] = (USUAL_FOCAL_LENGTH * max(source.height, source.width),) * 2
@@ -78,25 +91,13 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     if value_range is None:
         value_range = source.range()
     job = Job(source, depths, value_range, tiling, parameters, os.path.abspath(output) + ".part")
-    _begin(job)
     with _scheduler(scheduler, workers, progress) as compute:
+        _begin(job)
         counts = _do_tiles(job, compute)
         _number(job, counts, start_label)
         _write(job, output, start_label, progress, compute)
     shutil.rmtree(job.store)
     return sum(counts)
-
-
-def _check(parameters: Any, region_size: int, num_iterations: int, value_range: Any, depth_range: Any,
-           workers: Optional[int]) -> None:
-    """Refuses what would be refused at the first tile, when there is a store already."""
-    ranges = {name: tuple(of) for name, of in (("value_range", value_range), ("depth_range", depth_range))
-              if of is not None}
-    gwatershed.SuperpixelGWatershed(region_size=region_size, **ranges, **parameters)
-    if num_iterations < 1:
-        raise ValueError("num_iterations must be 1 or more, not %s" % num_iterations)
-    if workers is not None and workers < 1:
-        raise ValueError("workers must be 1 or more, not %s" % workers)
 
 
 def _plain(value: Any) -> Any:
@@ -146,7 +147,7 @@ def _number(job: Job, counts: List[int], start_label: int) -> None:
 @contextmanager
 def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Iterator[Any]:
     """A function that computes a list of tasks."""
-    if isinstance(scheduler, str) and scheduler in ("threads", "processes", "single-threaded"):
+    if isinstance(scheduler, str) and scheduler in SCHEDULERS:
         threads = gwatershed.getNumThreads()  # the tasks change it
         try:
             options = {"chunksize": 1} if scheduler == "processes" else {}  # a process would take six tiles at once
