@@ -31,34 +31,45 @@ def write_png_of_words(name, image):
                    chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
+def call(main, *arguments):
+    """The exit code of a command, and what it prints."""
+    output, errors = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+        try:
+            code = main(list(arguments))
+        except SystemExit as ended:
+            code = ended.code
+    return code, output.getvalue(), errors.getvalue()
+
+
+class FolderCase(unittest.TestCase):
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+
 @needs("PIL")
-class CommandTest(unittest.TestCase):
+class CommandTest(FolderCase):
 
     def setUp(self):
         from PIL import Image
+        super().setUp()
         self.image = make_image()
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
         Image.fromarray(self.image).save(self.path("image.png"))
         Image.fromarray(self.image[::-1]).save(self.path("other.png"))
         self.depth = np.where(np.arange(128) < 50, 1000, 3000).astype(np.uint16) * np.ones((96, 1), np.uint16)
         Image.fromarray(self.depth).save(self.path("depth.png"))
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
 
     def read(self, name):
         from PIL import Image
         return np.asarray(Image.open(self.path(name)))
 
     def run_command(self, *arguments):
-        output, errors = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-            try:
-                code = command.main(list(arguments))
-            except SystemExit as ended:
-                code = ended.code
-        return code, output.getvalue(), errors.getvalue()
+        return call(command.main, *arguments)
 
     def test_pictures(self):
         code, output, _ = self.run_command(self.path("image.png"), "-o", self.path("out.png"), "--number", "40")
@@ -205,6 +216,29 @@ class CommandTest(unittest.TestCase):
     def test_as_a_module(self):
         call = [sys.executable, "-m", "gwatershed", self.path("none.png"), "-o", self.path("x.png")]
         self.assertEqual(subprocess.run(call, stderr=subprocess.DEVNULL, check=False).returncode, 1)
+
+
+@needs("dask")
+@needs("zarr")
+class TilesCommandTest(FolderCase):
+    """What of gwatershed-tiles needs no tiles."""
+
+    def setUp(self):
+        import zarr
+        super().setUp()
+        zarr.open(self.path("image.zarr"), mode="w", shape=(40, 50), chunks=(20, 20), dtype=np.uint8)[:] = 90
+
+    def run_command(self, *arguments):
+        from gwatershed.tiles.command import main
+        return call(main, *arguments)
+
+    def test_outputs_that_cannot_be_written(self):
+        with open(self.path("file"), "w"):
+            pass
+        for output in ("/proc/file.zarr", self.path("file/labels.zarr")):
+            code, _, errors = self.run_command(self.path("image.zarr"), output, "--tile-size", "320")
+            self.assertEqual(code, 1)
+            self.assertRegex(errors, r"^gwatershed-tiles: .*file.*\n$")
 
 
 if __name__ == "__main__":

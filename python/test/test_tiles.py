@@ -289,6 +289,17 @@ class StoppedTest(TilesCase):
             self.assertEqual(calls.call_count, 16 - 7 + forget)
             np.testing.assert_array_equal(labels, expected)
 
+    def test_one_run_at_a_time(self):
+        _, expected = self.run_tiles()
+
+        def do_beside_another(job, tile, *waited_for):
+            with self.assertRaisesRegex(ValueError, "output must not be what another run writes"):
+                self.run_tiles()
+            return work.do_tile(job, tile, *waited_for)
+        with mock.patch.object(run, "do_tile", do_beside_another):
+            np.testing.assert_array_equal(self.run_tiles()[1], expected)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["image.zarr", "labels.zarr"])
+
     def test_refuses_to_go_on_with_other_parameters(self):
         self.stop_after(3, False)
         with self.assertRaisesRegex(ValueError, "other parameters"):

@@ -23,6 +23,7 @@ from .arguments import (
     range_of,
     workers_of,
 )
+from .lock import alone
 from .sources import Source, is_zarr, write_window
 from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
@@ -61,7 +62,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     parameters: others of SuperpixelGWatershed, as ruler=10, but num_superpixels and temporal.
 
     What is done is kept beside the output, in the folder output + ".part", until all is done: the same call goes on
-    from there. It takes 8 bytes for each pixel, compressed.
+    from there. It takes 8 bytes for each pixel, compressed. While one call writes an output, others with the same one
+    are refused, by a lock on the file output + ".part.lock".
     """
     image, output = os.fspath(image), os.fspath(output)
     region_size, tile_size = integer(region_size, "region_size"), integer(tile_size, "tile_size")
@@ -91,12 +93,12 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     if value_range is None:
         value_range = source.range()
     job = Job(source, depths, value_range, tiling, parameters, os.path.abspath(output) + ".part")
-    with _scheduler(scheduler, workers, progress) as compute:
+    with alone(output, job.store), _scheduler(scheduler, workers, progress) as compute:
         _begin(job)
         counts = _do_tiles(job, compute)
         _number(job, counts, start_label)
         _write(job, output, start_label, progress, compute)
-    shutil.rmtree(job.store)
+        shutil.rmtree(job.store)
     return sum(counts)
 
 
