@@ -313,6 +313,15 @@ class StoppedTest(TilesCase):
         with self.assertRaisesRegex(ValueError, "another image"):
             self.run_tiles()
 
+    def test_refuses_to_go_on_with_an_image_that_was_changed_below(self):
+        self.stop_after(3, False)
+        folder = os.stat(self.path("image.zarr"))
+        time.sleep(0.01)
+        zarr.open(self.path("image.zarr"), mode="r+")[:50, :60] = 7
+        os.utime(self.path("image.zarr"), ns=(folder.st_atime_ns, folder.st_mtime_ns))  # as of folders deeper
+        with self.assertRaisesRegex(ValueError, "another image"):
+            self.run_tiles()
+
     def test_a_killed_command_goes_on(self):
         _, expected = self.run_tiles(num_iterations=SLOW)
         for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGINT, 130)):

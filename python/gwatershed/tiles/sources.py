@@ -34,7 +34,7 @@ class Source:
     bands: Tuple[int, ...]  # from 1 on, as GDAL counts
     height: int
     width: int
-    modified: int           # so that a run is not taken up with another image of the same name
+    state: Tuple[int, int, int]  # so that a run is not taken up with another image of the same name
     dtype: str = ""         # of the values, as NumPy names it
 
     @staticmethod
@@ -46,8 +46,7 @@ class Source:
         if len(bands) not in (1, 3) or not all(1 <= band <= count for band in bands):
             raise ValueError("bands must be one or three of the %d of %s, not %s" % (count, name, list(bands)))
         name = name if "://" in name else os.path.abspath(name)
-        modified = os.stat(name).st_mtime_ns if os.path.exists(name) else 0
-        source = Source(name, tuple(bands), height, width, modified)
+        source = Source(name, tuple(bands), height, width, _state_of(name))
         return replace(source, dtype=source._type_of_values())
 
     def _type_of_values(self) -> str:
@@ -141,6 +140,19 @@ def _has_palette(name: str, bands: Tuple[int, ...]) -> bool:
     from rasterio.enums import ColorInterp
     with rasterio.open(name) as file:
         return any(file.colorinterp[band - 1] == ColorInterp.palette for band in bands)
+
+
+def _state_of(name: str) -> Tuple[int, int, int]:
+    """The last change of a file, or of those in a folder, whose own time says nothing of what lies deeper; their
+    number; and their size. Nothing is known of an address."""
+    if not os.path.isdir(name):
+        return (os.stat(name).st_mtime_ns, 1, os.stat(name).st_size) if os.path.exists(name) else (0, 0, 0)
+    last, number, size = 0, 0, 0
+    for folder, _, files in os.walk(name):
+        for file in files:
+            found = os.stat(os.path.join(folder, file))
+            last, number, size = max(last, found.st_mtime_ns), number + 1, size + found.st_size
+    return last, number, size
 
 
 def _zarr_shape(name: str) -> Tuple[int, int, int]:
