@@ -3,8 +3,10 @@
 # of this distribution and at http://opencv.org/license.html.
 """The command gwatershed: superpixels of images in files."""
 import argparse
+import io
 import os
 import re
+import shutil
 import struct
 import sys
 import time
@@ -151,18 +153,37 @@ def fit_16_bits(values: Any, name: str) -> Any:
     return values
 
 
-def write(name: Path, picture: Any) -> None:
-    """Labels go to what keeps them: Pillow would cut them off without a word elsewhere."""
+def encode(name: Path, picture: Any) -> Any:
+    """The bytes of the file. Labels go to what keeps them: Pillow would cut them off without a word elsewhere."""
     from PIL import Image
     suffix = name.suffix.lower()
     kept_by = {2: (".npy", ".tif", ".tiff", ".png"), 4: (".npy", ".tif", ".tiff")}.get(picture.dtype.itemsize)
     if kept_by and suffix not in kept_by:
         raise ValueError("labels up to %d need a file of one of the kinds %s" % (picture.max(), " ".join(kept_by)))
+    encoded: Any = io.BytesIO()
     if suffix == ".npy":
-        with open(name, "wb") as file:  # np.save() adds .npy to a name in capitals
-            np.save(file, picture)
+        np.save(encoded, picture)
     else:
-        Image.fromarray(picture).save(name)
+        encoded.name = str(name)  # where Pillow finds the format
+        Image.fromarray(picture).save(encoded)
+    return encoded.getbuffer()
+
+
+def write(name: Path, data: Any) -> None:
+    """All of it, or an error and what was there before. Pillow, which writes some kinds of files itself, does not see
+    that a disk is full."""
+    target = Path(os.path.realpath(name))
+    if target.exists() and not target.is_file():  # a device or a pipe
+        target.write_bytes(data)
+        return
+    part = target.with_name(".gwatershed-%d" % os.getpid())
+    try:
+        part.write_bytes(data)
+        if target.exists():
+            shutil.copymode(target, part)
+        os.replace(part, target)
+    finally:
+        part.unlink(missing_ok=True)
 
 
 def output_of(name: str, arguments: argparse.Namespace) -> Path:
@@ -188,7 +209,7 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
                      effort=arguments.effort, alpha=arguments.alpha, **size)
     milliseconds = 1000 * (time.perf_counter() - start)
-    write(output, PICTURES[arguments.show](image, labels))
+    write(output, encode(output, PICTURES[arguments.show](image, labels)))
     return int(labels.max()) + 1, milliseconds
 
 

@@ -186,6 +186,37 @@ class CommandTest(FolderCase):
         for name in ("labels.gif", "labels.webp"):
             self.assertEqual(self.run_command(self.path("image.png"), "-o", self.path(name), "--show", "labels")[0], 1)
 
+    @needs("resource")
+    def test_full_disk(self):
+        import resource
+        with open(self.path("there.bmp"), "wb") as file:
+            file.write(b"kept")
+        before = sorted(os.listdir(self.folder.name))
+        for name in ("out.bmp", "out.jpg", "out.ppm", "out.png", "out.npy", "there.bmp"):
+            run = subprocess.run([sys.executable, "-m", "gwatershed", self.path("image.png"), "-o", self.path(name)],
+                                 stderr=subprocess.PIPE, stdout=subprocess.PIPE, check=False,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (99, 99)))
+            self.assertEqual((run.returncode, run.stderr.count(b"\n")), (1, 1), name)
+            self.assertEqual(sorted(os.listdir(self.folder.name)), before, name)
+        with open(self.path("there.bmp"), "rb") as file:
+            self.assertEqual(file.read(), b"kept")
+
+    def test_replaces_what_a_link_names(self):
+        with open(self.path("there.png"), "w"):
+            pass
+        os.chmod(self.path("there.png"), 0o640)
+        os.symlink("there.png", self.path("link.png"))
+        self.assertEqual(self.run_command(self.path("image.png"), "-o", self.path("link.png"))[0], 0)
+        self.assertTrue(os.path.islink(self.path("link.png")))
+        self.assertEqual(self.read("there.png").shape, self.image.shape)
+        self.assertEqual(os.stat(self.path("there.png")).st_mode & 0o777, 0o640)
+        if os.path.exists("/dev/full"):
+            os.symlink("/dev/full", self.path("full.png"))
+            code, _, errors = self.run_command(self.path("image.png"), "-o", self.path("full.png"))
+            self.assertEqual(code, 1)
+            self.assertIn("No space left", errors)
+            self.assertFalse(os.path.isfile("/dev/full"))
+
     def test_labels_of_more_than_16_bits(self):
         from PIL import Image
         Image.fromarray(np.zeros((260, 260, 3), np.uint8)).save(self.path("large.png"))
