@@ -123,7 +123,7 @@ def look_for_more(file: Any, name: str) -> None:
     """Says that a file has more pages than the one that is read, and refuses what Pillow would cut bits off."""
     BITS_PER_SAMPLE = 258
     in_tags = file.format == "TIFF" and max(file.tag_v2.get(BITS_PER_SAMPLE, (8,))) > 8
-    if file.mode[0] not in "IF" and (in_tags or any(has_16_bits(tile[0], tile[3]) for tile in file.tile)):
+    if file.mode[0] not in "IF" and (in_tags or any(has_16_bits(tile[0], tile[3]) for tile in file.tile or ())):
         raise ValueError("%s has 16 bits for each channel, of which Pillow reads 8: call segment() with what"
                          " cv2.imread() gives with IMREAD_UNCHANGED, or gwatershed-tiles" % name)
     pages = getattr(file, "n_frames", 1)

@@ -131,6 +131,12 @@ class CommandTest(FolderCase):
             self.assertIn("the first of 3 pages", errors)
         self.assertEqual(self.run_command(self.path("image.png"), "-q", "-o", self.path("out.png")), (0, "", ""))
 
+    def test_icons(self):
+        from PIL import Image
+        for name in ("image.ico", "image.icns"):
+            Image.fromarray(self.image[:64, :64]).save(self.path(name))
+            self.assertEqual(self.run_command(self.path(name), "-q", "-o", self.path("out.png")), (0, "", ""))
+
     def test_flat_images_need_no_warning(self):
         from PIL import Image
         Image.fromarray(np.full((40, 50), 3000, np.uint16)).save(self.path("flat.png"))
