@@ -16,7 +16,7 @@ from typing import Any, List, Optional, Tuple
 import numpy as np
 
 from ._native import __version__
-from .segmentation import segment, superpixels
+from .segmentation import depth_array, segment, superpixels
 
 DESCRIPTION = "Divides images into superpixels and writes a picture of each."
 EXAMPLES = """examples:
@@ -107,7 +107,7 @@ def read_depth(name: str) -> Any:
     from PIL import Image
     with open(name, "rb") as stream, Image.open(stream) as file:
         look_for_more(file, name)
-        return fit_16_bits(np.asarray(upright(file)), "depth")
+        return fit_16_bits(depth_array(upright(file)), "depth")
 
 
 def has_16_bits(decoder: str, details: Any) -> bool:

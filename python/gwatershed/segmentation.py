@@ -20,11 +20,13 @@ def segment(image: Any, region_size: Optional[int] = None, *, num_superpixels: O
 
     image: height x width, or with 1 to 4 channels as third dimension; bool, integers or floats. Three channels are RGB,
         as scikit-image, Pillow and imageio read them; see bgr. A fourth one, as alpha, is ignored. Unsigned integers of
-        8 bits are taken as they are, others have a range that is found; value_range sets it.
+        8 bits are taken as they are, others have a range that is found; value_range sets it. Images of Pillow that are
+        neither grey nor RGB, as those with a palette, CMYK or alpha, become RGB.
     region_size: side of a superpixel in pixels, 10 if neither this nor num_superpixels is given; as many as fit.
     num_superpixels: number of superpixels, met exactly, instead of region_size.
     depth: depth map of the same size, floats or integers but int8. 0, what is below, NaN and 65535 of uint16 are
-        missing; infinity is far. A UserWarning says if none is valid, or none lies in depth_range.
+        missing; infinity is far. A UserWarning says if none is valid, or none lies in depth_range. Images of Pillow
+        must be grey.
     mask: bool, or not 0 inside; pixels outside get the label start_label - 1.
     markers: integers, positive ones are markers that superpixels grow from, instead of region_size and num_superpixels.
     num_iterations: more of them follow the image better.
@@ -58,7 +60,7 @@ def labels_of(image: Any, depth: Any, mask: Any, markers: Any, num_iterations: i
     gws = SuperpixelGWatershed(**parameters)
     gws.setMask(_inside(mask))
     gws.setMarkers(_optional(markers, "markers"))
-    gws.iterate(_colors(image, bgr or gws.getLabInput()), _optional(depth, "depth"), num_iterations)
+    gws.iterate(_colors(image, bgr or gws.getLabInput()), depth_array(depth), num_iterations)
     return gws.getLabels()
 
 
@@ -67,7 +69,7 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     """Measures the superpixels of a label map in one pass, into a structured array: a row for each label that occurs.
 
     labels: integers; pixels below start_label are outside.
-    image: image of that size, of any number of channels, for mean_color.
+    image: image of that size, of 1 to 512 channels, for mean_color; those of Pillow as in segment().
     depth: depth of that size, for mean_depth; metric, for position and normal.
     focal_length: (fx, fy) of the depth camera in pixels, for position and normal. fy 0 is fx; both 0 are 0.8 of the
         longer side of the image, which is near to that of usual sensors.
@@ -81,11 +83,12 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
+    image, depth = _optional(_image(image), "image"), depth_array(depth)
     stats, centroids, mean_colors, mean_depths, positions, normals = _measure(
-        numbers, len(names), _optional(image, "image"), _optional(depth, "depth"), focal_length)
-    channels = () if mean_colors is None else (mean_colors.shape[1],)
+        numbers, len(names), image, depth, focal_length)
+    channels = 0 if image is None else image.shape[2] if image.ndim == 3 else 1
     with_surface = depth is not None and focal_length is not None
-    table = np.zeros(len(names), _fields(labels.dtype, image is not None, channels, depth is not None, with_surface))
+    table = np.zeros(len(names), _fields(labels.dtype, channels, depth is not None, with_surface))
     if len(names) == 0:
         return table
     table["label"] = names
@@ -134,10 +137,10 @@ def _warn_of_depth(depth: Any, near: float, far: float) -> None:
         warnings.warn("no depth lies in depth_range, %g to %g: have both the same unit?" % (near, far), stacklevel=3)
 
 
-def _fields(label_type: Any, with_color: bool, channels: Any, with_depth: bool, with_surface: bool) -> Any:
+def _fields(label_type: Any, channels: int, with_depth: bool, with_surface: bool) -> Any:
     fields: Any = [("label", label_type), ("area", np.int32), ("bbox", np.int32, (4,)), ("centroid", np.float64, (2,))]
-    if with_color:
-        fields.append(("mean_color", np.float32, channels))
+    if channels:
+        fields.append(("mean_color", np.float32, (channels,)))
     if with_depth:
         fields.append(("mean_depth", np.float32))
     if with_surface:
@@ -168,7 +171,7 @@ def _colors(image: Any, as_they_are: bool) -> Any:
     """The image in the order of the channels that the class takes. bool becomes black and white."""
     if image is None:
         raise ValueError("image must not be None")
-    image = _plain(image, "image")
+    image = _image(image)
     if image.ndim == 3 and image.shape[2] > 4:
         raise ValueError("image must have 1 to 4 channels, as its last dimension, not the shape %s" % (image.shape,))
     if image.dtype == bool:
@@ -176,6 +179,28 @@ def _colors(image: Any, as_they_are: bool) -> Any:
     if image.ndim == 3 and image.shape[2] in (3, 4) and not as_they_are:
         return image[:, :, 2::-1]
     return image
+
+
+def _image(image: Any) -> Any:
+    """An array, or None. Images of Pillow that are neither grey nor RGB become RGB: their numbers are of a palette, or
+    of other colours."""
+    mode = _mode_of_pillow(image)
+    if mode not in ("", "1", "L", "RGB") and mode[0] not in "IF":
+        image = image.convert("RGB")
+    return None if image is None else _plain(image, "image")
+
+
+def _mode_of_pillow(image: Any) -> str:
+    mode = getattr(image, "mode", "")
+    return mode if isinstance(mode, str) and hasattr(image, "convert") else ""
+
+
+def depth_array(depth: Any) -> Any:
+    """An array, or None. What Pillow has as numbers of a palette, as colours or as black and white is no depth."""
+    mode = _mode_of_pillow(depth)
+    if mode not in ("", "L") and mode[0] not in "IF":
+        raise ValueError("depth must be grey values of 8 or 16 bits, or float, not an image of the mode " + mode)
+    return _optional(depth, "depth")
 
 
 def _plain(values: Any, name: str) -> Any:

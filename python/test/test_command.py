@@ -131,6 +131,16 @@ class CommandTest(FolderCase):
             self.assertIn("the first of 3 pages", errors)
         self.assertEqual(self.run_command(self.path("image.png"), "-q", "-o", self.path("out.png")), (0, "", ""))
 
+    def test_refuses_colours_and_bits_as_depth(self):
+        from PIL import Image
+        gray = Image.fromarray(self.image[:, :, 0])
+        gray.convert("1").save(self.path("bits.png"))
+        gray.quantize(30).save(self.path("palette.png"))
+        for name in ("bits.png", "palette.png", "other.png"):
+            code, _, errors = self.run_command(self.path("image.png"), "-d", self.path(name), "-o", self.path("x.png"))
+            self.assertEqual(code, 1)
+            self.assertIn("depth must be grey", errors)
+
     def test_icons(self):
         from PIL import Image
         for name in ("image.ico", "image.icns"):

@@ -183,6 +183,38 @@ class FunctionsTest(unittest.TestCase):
         colors = gwatershed.superpixels(labels, labels == 5)["mean_color"]
         np.testing.assert_array_equal(colors[:, 0], [0, 1, 0])
 
+    def test_nothing_to_measure(self):
+        labels = np.full((4, 6), -1)
+        for shape, channels in (((4, 6), 1), ((4, 6, 1), 1), ((4, 6, 3), 3)):
+            table = gwatershed.superpixels(labels, np.zeros(shape))
+            self.assertEqual((len(table), table["mean_color"].shape), (0, (0, channels)))
+            self.assertEqual(table.dtype, gwatershed.superpixels(labels + 1, np.zeros(shape)).dtype)
+        self.assertEqual(gwatershed.superpixels(labels + 1, np.ones((4, 6, 512)))["mean_color"].shape, (1, 512))
+
+    @needs("PIL")
+    def test_images_of_pillow(self):
+        from PIL import Image
+        image = Image.fromarray(make_image())
+        for mode in ("P", "CMYK", "HSV", "YCbCr", "RGBA", "LA", "PA"):
+            other = image.convert(mode) if mode in ("P", "CMYK", "HSV", "YCbCr", "RGBA") else (
+                image.convert("L").convert(mode))
+            colors = np.asarray(other.convert("RGB"))
+            labels = gwatershed.segment(other, 12)
+            np.testing.assert_array_equal(labels, gwatershed.segment(colors, 12), mode)
+            np.testing.assert_array_equal(gwatershed.superpixels(labels, other), gwatershed.superpixels(labels, colors))
+        for mode in ("1", "L", "I", "F"):
+            np.testing.assert_array_equal(gwatershed.segment(image.convert(mode), 12),
+                                          gwatershed.segment(np.asarray(image.convert(mode)), 12), mode)
+        gray = image.convert("L")
+        np.testing.assert_array_equal(gwatershed.segment(image, 12, depth=gray),
+                                      gwatershed.segment(image, 12, depth=np.asarray(gray)))
+        for mode in ("1", "P", "RGB", "LA"):
+            depth = gray.convert(mode)
+            for work in gwatershed.segment, lambda _, depth: gwatershed.superpixels(np.ones(depth.size[::-1], int),
+                                                                                    None, depth):
+                with self.assertRaisesRegex(ValueError, "depth must be grey .* mode " + mode):
+                    work(image, depth=depth)
+
     @needs("skimage")
     def test_with_scikit_image(self):
         from skimage.measure import regionprops
