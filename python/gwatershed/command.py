@@ -24,7 +24,8 @@ EXAMPLES = """examples:
   gwatershed image.jpg -o labels.tiff --show labels --depth depth.png --number 400
   gwatershed photographs/*.jpg -o folder
 
-The exit code is 0, 1 if a file could not be read, segmented or written, or 2 if an argument is unknown or no number."""
+The exit code is 0, 1 if a file could not be read, segmented or written, or a line not printed, 2 if an argument is
+unknown or no number, or 130 if it was stopped by Ctrl-C."""
 RED = (255, 0, 0)
 
 
@@ -119,6 +120,21 @@ def has_16_bits(decoder: str, details: Any) -> bool:
     return decoder == "SGI16" or re.search(";16[BLN]", str(layout)) is not None
 
 
+def say(line: str, stream: Any) -> bool:
+    """Prints a line. Where that fails, as in a pipe that was closed or on a full disk, what else is printed there is
+    lost, so that the work goes on; says whether it was printed."""
+    try:
+        print(line, file=stream, flush=True)
+        return True
+    except OSError as error:
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, stream.fileno())  # Python writes what is left at its end
+        os.close(nothing)
+        if stream is sys.stdout:
+            say("gwatershed: standard output: %s" % error, sys.stderr)
+        return False
+
+
 def look_for_more(file: Any, name: str) -> None:
     """Says that a file has more pages than the one that is read, and refuses what Pillow would cut bits off."""
     BITS_PER_SAMPLE = 258
@@ -128,7 +144,7 @@ def look_for_more(file: Any, name: str) -> None:
                          " cv2.imread() gives with IMREAD_UNCHANGED, or gwatershed-tiles" % name)
     pages = getattr(file, "n_frames", 1)
     if pages > 1:
-        print("gwatershed: %s: the first of %d pages" % (name, pages), file=sys.stderr)
+        say("gwatershed: %s: the first of %d pages" % (name, pages), sys.stderr)
 
 
 def upright(image: Any) -> Any:
@@ -213,6 +229,21 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     return int(labels.max()) + 1, milliseconds
 
 
+def process_all(arguments: argparse.Namespace) -> int:
+    code = 0
+    for number, name in enumerate(arguments.images, 1):
+        try:
+            count, milliseconds = process(name, arguments)
+        except (OSError, ValueError, TypeError, SyntaxError, MemoryError) as error:
+            say("gwatershed: %s: %s" % (name, error), sys.stderr)
+            code = 1
+            continue
+        line = "%d/%d %s: %d superpixels, %.0f ms" % (number, len(arguments.images), name, count, milliseconds)
+        if not arguments.quiet and not say(line, sys.stdout):
+            code = 1
+    return code
+
+
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
     try:
@@ -220,15 +251,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
     except ImportError:
         print("gwatershed: the command needs Pillow: pip install gwatershed[command], or python3-pil", file=sys.stderr)
         return 1
-    failed = 0
-    for number, name in enumerate(parsed.images, 1):
-        try:
-            count, milliseconds = process(name, parsed)
-        except (OSError, ValueError, TypeError, SyntaxError, MemoryError) as error:
-            print("gwatershed: %s: %s" % (name, error), file=sys.stderr)
-            failed += 1
-            continue
-        if not parsed.quiet:
-            print("%d/%d %s: %d superpixels, %.0f ms" % (number, len(parsed.images), name, count, milliseconds),
-                  flush=True)
-    return 1 if failed else 0
+    try:
+        return process_all(parsed)
+    except KeyboardInterrupt:
+        say("gwatershed: stopped", sys.stderr)
+        return 130

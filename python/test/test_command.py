@@ -6,6 +6,7 @@
 import contextlib
 import io
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -259,6 +260,31 @@ class CommandTest(FolderCase):
             self.assertEqual(code, 1, wrong)
             self.assertIn("must be", errors)
         self.assertEqual(self.run_command("--help")[0], 0)
+
+    def start(self, *arguments, **streams):
+        return subprocess.Popen([sys.executable, "-m", "gwatershed", *arguments], stderr=subprocess.PIPE, **streams,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+
+    def test_goes_on_where_nothing_can_be_printed(self):
+        images = self.path("image.png"), self.path("other.png"), "-o"
+        reading, writing = os.pipe()
+        os.close(reading)
+        with os.fdopen(writing, "w") as closed, open("/dev/full", "w") as full:
+            for name, stdout in (("closed", closed), ("full", full)):
+                process = self.start(*images, self.path(name), stdout=stdout)
+                self.assertRegex(process.communicate()[1], rb"^gwatershed: standard output: .*\n$")
+                self.assertEqual(process.returncode, 1)
+                self.assertEqual(sorted(os.listdir(self.path(name))), ["image.png", "other.png"])
+
+    def test_stopped(self):
+        images = [self.path("%d.png" % i) for i in range(400)]
+        for name in images:
+            os.symlink("image.png", name)
+        process = self.start(*images, "-o", self.path("stopped"), stdout=subprocess.PIPE)
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        self.assertEqual((process.communicate()[1], process.returncode), (b"gwatershed: stopped\n", 130))
+        self.assertFalse([name for name in os.listdir(self.path("stopped")) if name.startswith(".")])
 
     def test_as_a_module(self):
         call = [sys.executable, "-m", "gwatershed", self.path("none.png"), "-o", self.path("x.png")]

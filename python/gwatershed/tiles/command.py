@@ -8,6 +8,7 @@ import warnings
 from typing import Any, Dict, List, Optional
 
 import gwatershed
+from gwatershed.command import say
 
 from .run import segment_file
 
@@ -58,14 +59,12 @@ def main(arguments: Optional[List[str]] = None) -> int:
             tile_size=parsed.tile_size, scheduler=parsed.scheduler, workers=parsed.workers,
             progress=not parsed.quiet, ruler=parsed.ruler, effort=parsed.effort, alpha=parsed.alpha, **camera)
     except KeyboardInterrupt:
-        print("gwatershed-tiles: stopped; the same command goes on from here", file=sys.stderr)
+        say("gwatershed-tiles: stopped; the same command goes on from here", sys.stderr)
         return 130
     except (OSError, ValueError, TypeError, RuntimeError, MemoryError, ImportError) as error:
-        print("gwatershed-tiles: %s" % error, file=sys.stderr)
+        say("gwatershed-tiles: %s" % error, sys.stderr)
         return 1
-    if not parsed.quiet:
-        print("%d superpixels" % number)
-    return 0
+    return 0 if parsed.quiet or say("%d superpixels" % number, sys.stdout) else 1
 
 
 if __name__ == "__main__":
