@@ -305,6 +305,14 @@ class TilesCommandTest(FolderCase):
         from gwatershed.tiles.command import main
         return call(main, *arguments)
 
+    def test_help_says_what_all_arguments_are(self):
+        code, output, _ = self.run_command("--help")
+        self.assertEqual(code, 0)
+        for option in ("region-size", "ruler", "effort", "alpha", "iterations", "bands", "value-range", "depth-range",
+                       "focal-length", "tile-size", "scheduler", "workers"):
+            self.assertRegex(output, r"\n  --%s (?:(?!\n  -)[\s\S])*default" % option)
+        self.assertRegex(output, r"\n  --depth FILE +depth of")
+
     def test_outputs_that_cannot_be_written(self):
         with open(self.path("file"), "w"):
             pass

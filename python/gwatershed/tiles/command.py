@@ -26,24 +26,30 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("image", help="GeoTIFF, what else GDAL reads, or an array of Zarr")
     parser.add_argument("output", help="labels to write: .zarr, or .tif or .tiff, a GeoTIFF")
-    parser.add_argument("--region-size", type=int, default=20, metavar="N", help="side of a superpixel in pixels")
+    parser.add_argument("--region-size", type=int, default=20, metavar="N",
+                        help="side of a superpixel in pixels; default %(default)s")
     parser.add_argument("--ruler", type=float, default=10, help="compactness; default %(default)s")
     parser.add_argument("--effort", type=int, default=1, metavar="N",
                         help="from 0, the fastest, to 3, the best; default %(default)s")
     parser.add_argument("--alpha", type=float, default=0.5, help="weight of colour against depth; default %(default)s")
-    parser.add_argument("--iterations", type=int, default=1, metavar="N")
-    parser.add_argument("--bands", type=int, nargs="+", metavar="N", help="one or three bands, from 1 on")
+    parser.add_argument("--iterations", type=int, default=1, metavar="N",
+                        help="more of them follow the image better; default %(default)s")
+    parser.add_argument("--bands", type=int, nargs="+", metavar="N", 
+                        help="one or three of the image, from 1 on; default: the first three, or the first")
     parser.add_argument("--value-range", type=float, nargs=2, metavar=("LOW", "HIGH"),
-                        help="values that become black and white")
-    parser.add_argument("--depth", metavar="FILE")
-    parser.add_argument("--depth-range", type=float, nargs=2, metavar=("NEAR", "FAR"))
+                        help="values that become black and white; default: 8 bits as they are, others from the 1st to"
+                             " the 99th percentile")
+    parser.add_argument("--depth", metavar="FILE", help="depth of the image, of the same size; 0 is missing")
+    parser.add_argument("--depth-range", type=float, nargs=2, metavar=("NEAR", "FAR"),
+                        help="depths that are told apart; default: from the 1st to the 99th percentile")
     parser.add_argument("--focal-length", type=float, metavar="F",
                         help="of the depth camera, in pixels; default: 0.8 of the longer side of the image")
-    parser.add_argument("--tile-size", type=int, default=2048, metavar="N")
+    parser.add_argument("--tile-size", type=int, default=2048, metavar="N",
+                        help="side of a tile in pixels; it changes the labels, and the memory; default %(default)s")
     parser.add_argument("--scheduler", default="threads", metavar="ADDRESS",
                         help="of dask.distributed; or threads, processes, single-threaded; default %(default)s")
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; default: one a processor")
-    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar")
+    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but errors; no progress bar")
     parser.add_argument("--version", action="version", version="%(prog)s " + gwatershed.__version__)
     return parser.parse_args(arguments)
 
@@ -65,7 +71,3 @@ def main(arguments: Optional[List[str]] = None) -> int:
         say("gwatershed-tiles: %s" % error, sys.stderr)
         return 1
     return 0 if parsed.quiet or say("%d superpixels" % number, sys.stdout) else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())

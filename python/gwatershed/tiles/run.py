@@ -5,7 +5,8 @@
 import json
 import os
 import shutil
-from contextlib import contextmanager, nullcontext
+import sys
+from contextlib import contextmanager, nullcontext, redirect_stdout
 from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -58,7 +59,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         Workers of a cluster must see the files under the same names. It changes nothing in the labels. Processes
         import the script that calls this, which must do so below if __name__ == "__main__".
     workers: number of threads or processes.
-    progress: whether to show Dask's progress bar.
+    progress: whether to show Dask's progress bar, on standard error.
     parameters: others of SuperpixelGWatershed, as ruler=10, but num_superpixels and temporal.
 
     What is done is kept beside the output, in the folder output + ".part", until all is done: the same call goes on
@@ -165,7 +166,7 @@ def _scheduler(scheduler: Any, workers: Optional[int], progress: bool) -> Iterat
 def _compute_here(tasks: Any, progress: bool, **options: Any) -> Any:
     import dask
     from dask.diagnostics import ProgressBar
-    with ProgressBar() if progress else nullcontext():
+    with ProgressBar(out=sys.stderr) if progress else nullcontext():
         return dask.compute(*tasks, **options)
 
 
@@ -173,7 +174,8 @@ def _compute_there(tasks: Any, progress: bool, client: Any) -> Any:
     futures = client.compute(tasks)
     if progress:
         from dask.distributed import progress as show
-        show(futures)
+        with redirect_stdout(sys.stderr):
+            show(futures)
     return client.gather(futures)
 
 
