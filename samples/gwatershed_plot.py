@@ -9,7 +9,9 @@ times are also printed as a Markdown table.
 """
 import argparse
 import csv
+import sys
 from collections import OrderedDict
+from pathlib import Path
 
 import matplotlib
 matplotlib.use("Agg")
@@ -72,7 +74,8 @@ def draw(methods, title, output):
     label_curves(axes[-1])
     figure.suptitle(title, fontsize=16)
     figure.tight_layout()
-    figure.savefig(output, dpi=72, metadata={"Software": None})
+    is_png = Path(output).suffix.lower() in ("", ".png")
+    figure.savefig(output, dpi=72, **({"metadata": {"Software": None}} if is_png else {}))  # others do not know it
 
 
 def print_times(methods):
@@ -92,11 +95,21 @@ def main():
     parser.add_argument("-m", "--methods", default=METHODS, help="methods to draw, up to %d" % len(COLORS))
     parser.add_argument("-t", "--title", default="", help="line above the figures: data, machine, version")
     arguments = parser.parse_args()
-    methods = read_means(arguments.table)
+    try:
+        methods = read_means(arguments.table)
+    except KeyError as error:
+        sys.exit("%s has no column %s" % (arguments.table, error))
+    except (OSError, ValueError, TypeError, csv.Error) as error:
+        sys.exit("Cannot read %s: %s" % (arguments.table, error))
     wanted = [method for method in arguments.methods.split(",") if method in methods][:len(COLORS)]
     if not wanted:
         parser.error("none of these methods is in the table: " + arguments.methods)
-    draw(OrderedDict((method, methods[method]) for method in wanted), arguments.title, arguments.output)
+    try:
+        draw(OrderedDict((method, methods[method]) for method in wanted), arguments.title, arguments.output)
+    except KeyError as error:
+        sys.exit("%s has no column %s" % (arguments.table, error))
+    except (OSError, ValueError) as error:
+        sys.exit("Cannot write %s: %s" % (arguments.output, error))
     print_times(methods)
 
 

@@ -2,10 +2,12 @@
 # This file is part of OpenCV project.
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
-"""The command gwatershed. It is skipped where Pillow is not installed."""
+"""The commands, but what gwatershed-tiles does by tiles, and a sample. What needs Pillow, Zarr or Matplotlib is skipped
+where that is not installed."""
 import contextlib
 import io
 import os
+import pathlib
 import signal
 import struct
 import subprocess
@@ -320,6 +322,31 @@ class TilesCommandTest(FolderCase):
             code, _, errors = self.run_command(self.path("image.zarr"), output, "--tile-size", "320")
             self.assertEqual(code, 1)
             self.assertRegex(errors, r"^gwatershed-tiles: .*file.*\n$")
+
+
+@needs("matplotlib")
+class PlotTest(FolderCase):
+    """The sample gwatershed_plot.py."""
+
+    def plot(self, table, picture):
+        script = pathlib.Path(__file__).resolve().parents[2] / "samples" / "gwatershed_plot.py"
+        return subprocess.run([sys.executable, str(script), self.path(table), "-o", self.path(picture)],
+                              stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, check=False)
+
+    def test_errors_in_one_line(self):
+        head = "method,image,asked,superpixels,recall,ue,milliseconds\n"
+        for name, rows in (("table.csv", "SLIC,mean,100,99,0.5,0.1,3\nSLIC,mean,200,199,0.6,0.09,3\n"),
+                           ("text.csv", "SLIC,mean,100,99,x,0.1,3\n"), ("short.csv", "SLIC,mean,100\n")):
+            with open(self.path(name), "w") as file:
+                file.write(head + rows)
+        with open(self.path("columns.csv"), "w") as file:
+            file.write("method,image\nSLIC,mean\n")
+        for picture in ("out.png", "out.jpg", "out.svg"):
+            self.assertEqual(self.plot("table.csv", picture).returncode, 0, picture)
+        for table, picture in (("none.csv", "x.png"), ("text.csv", "x.png"), ("short.csv", "x.png"),
+                               ("columns.csv", "x.png"), ("table.csv", "x.xyz"), ("table.csv", "none/x.png")):
+            run = self.plot(table, picture)
+            self.assertEqual((run.returncode, run.stderr.count(b"\n")), (1, 1), (table, picture))
 
 
 if __name__ == "__main__":
