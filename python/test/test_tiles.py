@@ -461,8 +461,9 @@ class GeoTiffTest(TilesCase):
                            photometric="palette") as file:
             file.write_colormap(1, {0: (255, 0, 0), 1: (0, 0, 255)})
             file.write(self.image[:, :, :1].transpose(2, 0, 1))
-        with self.assertRaisesRegex(ValueError, "palette.tif has colours by number"):
-            self.run_tiles("labels.tif", "palette.tif")
+        for arguments in ({"image": "palette.tif"}, {"depth": self.path("palette.tif")}):
+            with self.assertRaisesRegex(ValueError, "image and depth must not have .* as .*palette.tif has"):
+                self.run_tiles("labels.tif", **arguments)
 
     def test_command(self):
         self.write_tiff("image.tif", self.image.transpose(2, 0, 1))

@@ -55,7 +55,8 @@ class Source:
         if dtype.kind not in "biuf":
             raise ValueError("%s must have numbers that are not %s" % (self.name, dtype))
         if not is_zarr(self.name) and _has_palette(self.name, self.bands):
-            raise ValueError("%s has colours by number: turn them to red, green and blue first" % self.name)
+            raise ValueError("image and depth must not have colours by number, as %s has: turn them to red, green and"
+                             " blue, or to depth" % self.name)
         return str(dtype.newbyteorder("=").name)
 
     def read(self, window: Window) -> Any:
