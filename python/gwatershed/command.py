@@ -3,6 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 """The command gwatershed: superpixels of images in files."""
 import argparse
+import contextlib
 import io
 import os
 import re
@@ -198,8 +199,12 @@ def write(name: Path, data: Any) -> None:
         if target.exists():
             shutil.copymode(target, part)
         os.replace(part, target)
+    except OSError as error:
+        error.filename = str(name)  # which the user knows
+        raise
     finally:
-        part.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            part.unlink()
 
 
 def output_of(name: str, arguments: argparse.Namespace) -> Path:

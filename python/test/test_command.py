@@ -215,10 +215,17 @@ class CommandTest(FolderCase):
             run = subprocess.run([sys.executable, "-m", "gwatershed", self.path("image.png"), "-o", self.path(name)],
                                  stderr=subprocess.PIPE, stdout=subprocess.PIPE, check=False,
                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (99, 99)))
-            self.assertEqual((run.returncode, run.stderr.count(b"\n")), (1, 1), name)
+            self.assertEqual(run.returncode, 1, name)
+            self.assertRegex(run.stderr.decode(), r"^gwatershed: .*: '.*%s'\n$" % name)
             self.assertEqual(sorted(os.listdir(self.folder.name)), before, name)
         with open(self.path("there.bmp"), "rb") as file:
             self.assertEqual(file.read(), b"kept")
+
+    def test_folders_that_are_none(self):
+        for name in ("none/x.png", "image.png/x.png"):
+            code, _, errors = self.run_command(self.path("image.png"), "-o", self.path(name))
+            self.assertEqual(code, 1)
+            self.assertRegex(errors, r"^gwatershed: .*: '.*%s'\n$" % name)
 
     def test_replaces_what_a_link_names(self):
         with open(self.path("there.png"), "w"):
