@@ -34,7 +34,7 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--alpha", type=float, default=0.5, help="weight of colour against depth; default %(default)s")
     parser.add_argument("--iterations", type=int, default=1, metavar="N",
                         help="more of them follow the image better; default %(default)s")
-    parser.add_argument("--bands", type=int, nargs="+", metavar="N", 
+    parser.add_argument("--bands", type=int, nargs="+", metavar="N",
                         help="one or three of the image, from 1 on; default: the first three, or the first")
     parser.add_argument("--value-range", type=float, nargs=2, metavar=("LOW", "HIGH"),
                         help="values that become black and white; default: 8 bits as they are, others from the 1st to"
