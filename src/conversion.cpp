@@ -51,12 +51,15 @@ private:
         return depth != CV_16S && depth != CV_32S;
     }
 
-    //! Cameras give 10, 12, or 14 bits in 16: the fewest, but 8 at least, that hold the values without outliers.
+    //! Cameras give 10, 12, or 14 bits in 16: the fewest, but 8 at least, that hold the values without outliers. Where
+    //! all are multiples of 257, 8 bits were spread over 16, as 65535 is 255 * 257, also in a dark picture.
     ValueRange rangeOfBits()
     {
+        const auto isSpread = [](T value) { return int(value) % 257 == 0; };
+        const bool are_spread = std::all_of(values_.begin(), values_.end(), isSpread);
         const auto highest = values_.end() - 1 - int(values_.size()) / OUTLIERS;
         std::nth_element(values_.begin(), highest, values_.end());
-        int levels = 256;
+        int levels = are_spread ? 65536 : 256;
         while (T(levels) <= *highest)
             levels *= 2;
         const ValueRange range = { 0, T(levels - 1) };

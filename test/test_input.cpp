@@ -34,6 +34,17 @@ TEST_P(ximgproc_GWatershed_input, takes_every_type_of_image_alike)
     }
 }
 
+TEST_P(ximgproc_GWatershed_input, takes_dark_images_of_8_bits_in_16_alike)
+{
+    for (const double& brightness : { 0.6, 0.4, 0.2, 0.1 })
+    {
+        const Mat image = makeImage(SCENE, Size(97, 61), 3, theRNG()) * brightness;
+        Mat words;
+        image.convertTo(words, CV_16U, 257);
+        EXPECT_TRUE(equalMats(segment(image, GetParam(), 9), segment(words, GetParam(), 9))) << brightness;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_input, takes_gray_as_three_equal_channels)
 {
     const Mat gray = makeImage(SCENE, Size(97, 61), 1, theRNG());
