@@ -400,11 +400,12 @@ public:
     The map is the same for all channels, so that distances stay in proportion.
 
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
-    @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
-    the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first one that
-    the values of the frame lie in, or 65535 if all are multiples of 257, as 8 bits that were spread over 16; -128 to 127
-    for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all but one in 1000 at each end
-    span less than a sixteenth of it (not for CV_8U), and always for CV_16S and CV_32S, the range is that of the finite values of the frame, or of a sample, without one in 1000 at each end.
+    @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both
+    0, the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first
+    one that the values of the frame lie in, or 65535 if all are multiples of 257, as 8 bits that were spread over
+    16; -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all but one in
+    1000 at each end span less than a sixteenth of it (not for CV_8U), and always for CV_16S and CV_32S, the range
+    is that of the finite values of the frame, or of a sample, without one in 1000 at each end.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
     also for a sensor with more than one saturated pixel in 1000, and for 8 bits and floats that use a small part. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
