@@ -69,7 +69,8 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     """Measures the superpixels of a label map in one pass, into a structured array: a row for each label that occurs.
 
     labels: integers; pixels below start_label are outside.
-    image: image of that size, of 1 to 512 channels, for mean_color; those of Pillow as in segment().
+    image: image of that size, of 1 to 128 channels (512 with OpenCV 4), for mean_color; those of Pillow as in
+        segment().
     depth: depth of that size, for mean_depth; metric, for position and normal.
     focal_length: (fx, fy) of the depth camera in pixels, for position and normal. fy 0 is fx; both 0 are 0.8 of the
         longer side of the image, which is near to that of usual sensors.
