@@ -346,7 +346,8 @@ public:
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
-    Time is relative to 1; of 5x5 pixels and fewer, up to 18 times that of 1 with 2 and 3, in noise up to 6x6 with 3.
+    Time is relative to 1. Superpixels of 5x5 pixels and fewer take up to 18 times that of 1 with 2 and 3, in noise
+    those of up to 6x6 pixels with 3.
     UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
     (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
