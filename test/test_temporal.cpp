@@ -113,6 +113,29 @@ TEST_P(ximgproc_GWatershed_temporal, explains_a_stream_as_well_as_each_frame_by_
     EXPECT_GT(with, without - 0.02);
 }
 
+//! A camera that turns on and on: what was in view first is gone in the end.
+TEST_P(ximgproc_GWatershed_temporal, explains_a_long_pan_as_well_as_each_frame_by_itself)
+{
+    const Size size(200, 150);
+    const int step = 2, frames = 300, last = 100;
+    double with = 0, without = 0;
+    for (int scene_number = 0; scene_number < 3; scene_number++)
+    {
+        const Mat scene = makeScene(Size(size.width + step * frames, size.height), theRNG());
+        Ptr<SuperpixelGWatershed> gws = createTemporal(size, GetParam(), 150);
+        for (int i = 0; i < frames; i++)
+        {
+            const Mat frame = scene(Rect(Point(step * i, 0), size));
+            gws->iterate(frame);
+            if (i < frames - last)
+                continue;
+            with += explainedVariation(labelsOf(gws), frame) / (3 * last);
+            without += explainedVariation(segmentAnew(frame, GetParam(), 150), frame) / (3 * last);
+        }
+    }
+    EXPECT_GT(with, without - 0.02);
+}
+
 TEST_P(ximgproc_GWatershed_temporal, starts_again_where_there_is_nothing_to_follow)
 {
     RNG& rng = theRNG();

@@ -7,8 +7,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Takes the markers of very small regions (below a sixteenth of the mean area, the smallest first) and gives each of
-//! them to a very large region (above four times the mean, the largest first), which then has two.
+//! Takes the markers of small regions (below a quarter of the mean area, the smallest first) and gives each of them to
+//! a large region (above two and a half times the mean, the largest first), which then has two. So superpixels follow
+//! a camera that turns on and on: what comes into view belongs to a few large ones at first.
 //! @note Not in the paper.
 static void exchangeMarkers(const Mat& gradient, MarkerBuffers& buffers, std::vector<Point>& markers)
 {
@@ -21,9 +22,9 @@ static void exchangeMarkers(const Mat& gradient, MarkerBuffers& buffers, std::ve
     for (int i = 0; i < n; i++)
     {
         const int area = starts[i + 1] - starts[i];
-        if (area < mean_area / 16)
+        if (area < mean_area / 4)
             small.push_back(AreaAndLabel(area, i));
-        else if (area > mean_area * 4)
+        else if (area > mean_area * 2.5)
             large.push_back(AreaAndLabel(-area, i));
     }
     std::sort(small.begin(), small.end());

@@ -10,7 +10,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Moves each marker to the middle of its region in the last frame. labels is the label map of that frame. Markers of
-//! regions that have nearly vanished move into regions that are too large.
+//! regions that have become small move into regions that are too large.
 void trackMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuffers& buffers,
                   std::vector<Point>& markers);
 

@@ -383,8 +383,8 @@ public:
     RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
     when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
     the same. If superpixels that explain it much worse cover more than half of the image, all start again. GWATERSHED
-    moves each marker to the middle of its last region; the markers of regions that have nearly vanished move into the
-    largest ones. Boundaries also move a little on a still image.
+    moves each marker to the middle of its last region; the markers of regions that have become small, below a quarter
+    of the mean area, move into the largest ones. Boundaries also move a little on a still image.
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
