@@ -38,6 +38,8 @@ if(BUILD_SHARED_LIBS)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(gwatershed_objects PRIVATE -Wall -Wextra)
+  # A product that is added is rounded first, on each processor, so that labels are the same.
+  target_compile_options(gwatershed_objects PRIVATE -ffp-contract=off)
   # GCC below 12 vectorises the loops over pixels from -O3 on only.
   target_compile_options(gwatershed_objects PRIVATE $<$<CONFIG:Release>:-O3>)
 endif()

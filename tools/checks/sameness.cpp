@@ -17,7 +17,7 @@ using namespace cv;
 using namespace cv::ximgproc;
 
 static const uint64 TIES[] = { 904, 3656, 4832 };
-static const int NUM_TIES = 3, NUM_CASES = 200;
+static const int NUM_TIES = 3, NUM_ROUNDINGS = 4, NUM_CASES = 200;
 
 //! The hash FNV-1a of 64 bits.
 class Hash
@@ -95,6 +95,26 @@ static unsigned long long hashTie(uint64 seed)
     return hash.value();
 }
 
+//! Rulers for which a product plus a number is an integer and a half, or not, if the product is not rounded first.
+//! Depth has a gap, and is taken as it is.
+static unsigned long long hashRounding(int number)
+{
+    const float rulers[] = { 10.0833349f, 2.49999976f, 10.0833349f, 2.49999976f };
+    const Scene scene = { SCENE, Size(239, 181), uint64(number), 0 };
+    const Mat image = makeImage(scene, 0, CV_8UC3);
+    Mat depth(image.size(), CV_16UC1);
+    for (int y = 0; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+            depth.at<ushort>(y, x) = ushort(x < 80 ? 419 + y : 53000 + (x + y) * 8);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, 3, 300);
+    gws->setRuler(rulers[number]);
+    gws->setNormalWeight(0);
+    gws->iterate(image, number < 2 ? Mat() : depth);
+    Hash hash;
+    addResults(*gws, image, depth, hash);
+    return hash.value();
+}
+
 static unsigned long long hashCase(int number)
 {
     const Size sizes[] = { Size(1, 1), Size(300, 1), Size(1, 170), Size(2, 2), Size(17, 13), Size(64, 48),
@@ -146,6 +166,7 @@ int main(int argc, char** argv)
     setNumThreads(parser.get<int>("threads"));
     setUseOptimized(!parser.get<bool>("plain"));
     for (int i = 0; i < NUM_CASES; i++)
-        std::printf("%d %016llx\n", i, i < NUM_TIES ? hashTie(TIES[i]) : hashCase(i));
+        std::printf("%d %016llx\n", i, i < NUM_TIES ? hashTie(TIES[i])
+                    : i < NUM_TIES + NUM_ROUNDINGS ? hashRounding(i - NUM_TIES) : hashCase(i));
     return 0;
 }
