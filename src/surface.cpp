@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "surface.hpp"
+#include "depth_span.hpp"
 #include "shared/features.hpp"
 #include "shared/valid_depth.hpp"
 #include "shared/vector_operators.hpp"
@@ -16,7 +17,7 @@ const int REACH = 4;         //!< blocks over which differences are taken; less 
 const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the range
 const int MOST_INVERSE = SHRT_MAX;
 const int FARTHEST = 1, NEAREST = 255;
-const int LEVELS_OF_GAP = 64; //!< between the near end of the range and what is much nearer
+const int NEAR_GAP = 64, FAR_GAP = 16; //!< levels between an end of the range and what is much nearer or farther
 const double LEVELS = 2500;  //!< of nearness, at most, down to infinity: finer differences are noise
 
 //! Nearness is offset + slope / depth, rounded down.
@@ -25,81 +26,6 @@ struct NearnessScale
     float offset, slope;
     float horizon; //!< nearness of an infinite depth, not rounded
 };
-
-//! What depths become levels of nearness.
-struct DepthSpan
-{
-    FloatRange range;
-    bool nearer; //!< some are much nearer than the range
-};
-
-//! The near end of a range that leaves out a hundredth of the depths there: moved to leave out a thousandth, because
-//! what is small and near is worth telling apart, but not so far that nearness gets less than 4/5 of its levels.
-float extendNearEnd(FloatRange range, std::vector<float>& depths)
-{
-    const auto thousandth = depths.begin() + ptrdiff_t(depths.size() / 1000);
-    std::nth_element(depths.begin(), thousandth, depths.end());
-    const double inverse_near = 1. / range.first, inverse_far = 1. / range.last;
-    return std::max(*thousandth, float(1 / (inverse_near + (inverse_near - inverse_far) / 4)));
-}
-
-//! The range of depths without outliers at each end, up to infinity if some are that. Values
-//! much nearer than half of all, as a value that means "no depth", do not count. {0, 0} if there are not two depths.
-FloatRange rangeOf(std::vector<float>& depths, bool has_far, bool& nearer)
-{
-    const float MUCH = 64;
-    FloatRange range = { 0, 0 };
-    nearer = false;
-    if (depths.empty())
-        return range;
-    const ptrdiff_t half = ptrdiff_t(depths.size() / 2), hundredth = ptrdiff_t(depths.size() / 100);
-    std::nth_element(depths.begin(), depths.begin() + half, depths.end());
-    const float nearest = depths[size_t(half)] / MUCH;
-    const auto kept = std::partition(depths.begin(), depths.end(), [&](float depth) { return depth < nearest; });
-    nearer = kept - depths.begin() > hundredth;
-    if (nearer)
-        depths.erase(depths.begin(), kept);
-    range = rangeWithout(depths.size() / 100, depths);
-    if (range.first >= range.last)
-    {
-        range.first = *std::min_element(depths.begin(), depths.end());
-        range.last = *std::max_element(depths.begin(), depths.end());
-    }
-    if (has_far)
-        range.last = std::numeric_limits<float>::infinity();
-    if (range.first < range.last)
-        range.first = extendNearEnd(range, depths);
-    return range.first < range.last || nearer ? range : FloatRange();
-}
-
-//! One depth of each step pixels that follow one another.
-std::vector<float> sampleDepths(const Mat& depth, int64 step)
-{
-    const size_t size = depth.elemSize(), total = depth.total();
-    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
-    uchar* to = bytes.data();
-    visitSample(depth.size(), step, [&](int y, int x) { to = std::copy_n(depth.ptr(y, x), size, to); });
-    std::vector<float> depths(bytes.size() / size);
-    readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
-    return depths;
-}
-
-//! From a sample, or from all pixels if it does not have two depths.
-DepthSpan findSpan(const Mat& depth)
-{
-    const int64 MANY = 8192, total = int64(depth.rows) * depth.cols;
-    DepthSpan span = DepthSpan();
-    for (int64 step = (total + MANY - 1) / MANY;; step = 1)
-    {
-        std::vector<float> depths = sampleDepths(depth, step);
-        const bool has_far = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
-        depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
-                     depths.end());
-        span.range = rangeOf(depths, has_far, span.nearer);
-        if (span.range.last > 0 || step == 1)
-            return span;
-    }
-}
 
 //! All bits where there is a depth.
 inline v_int32x4 hasDepth(const v_float32x4& depth)
@@ -120,10 +46,10 @@ inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
 //! As readDepths(), of the usual type without a detour.
 void readRow(const Mat& row, float* to)
 {
-    const int STRIDE = 8, cols = row.depth() == CV_16U ? row.cols & -STRIDE : 0;
+    const int AT_ONCE = 8, cols = row.depth() == CV_16U ? row.cols & -AT_ONCE : 0;
     const ushort* from = row.ptr<ushort>();
     const v_uint16x8 missing = v_setall_u16(USHRT_MAX);
-    for (int x = 0; x < cols; x += STRIDE)
+    for (int x = 0; x < cols; x += AT_ONCE)
     {
         const v_uint16x8 depths = v_load(from + x);
         v_uint32x4 low, high;
@@ -163,7 +89,7 @@ struct LevelRange
 //! Behind the depths is room for a multiple of 16.
 void scaleRow(const float* depths, int cols, NearnessScale scale, uchar* nearness)
 {
-    const int STRIDE = 16;
+    const int AT_ONCE = 16;
     int x = 0;
     const auto levels = [&]()
     {
@@ -171,11 +97,11 @@ void scaleRow(const float* depths, int cols, NearnessScale scale, uchar* nearnes
         return v_pack_u(v_pack(levelsOf(from, scale), levelsOf(from + 4, scale)),
                         v_pack(levelsOf(from + 8, scale), levelsOf(from + 12, scale)));
     };
-    for (; x + STRIDE <= cols; x += STRIDE)
+    for (; x + AT_ONCE <= cols; x += AT_ONCE)
         v_store(nearness + x, levels());
     if (x == cols)
         return;
-    uchar last[STRIDE];
+    uchar last[AT_ONCE];
     v_store(last, levels());
     std::copy(last, last + (cols - x), nearness + x);
 }
@@ -221,7 +147,7 @@ struct SlopeScale
 
 //! Slopes of inverse depth at 8 blocks: differences over REACH elements, to the side on which it is nearer to a
 //! straight line. `known` stays 1 where one side has depth, else it becomes 0.
-inline v_int16x8 slopesOf(const short* w, int step, const SlopeScale& scale, v_int16x8& known)
+inline v_int16x8 inverseSlopes(const short* w, int step, const SlopeScale& scale, v_int16x8& known)
 {
     const v_int16x8 one = v_setall_s16(1), here = v_load(w);
     const v_int16x8 a = v_load(w - REACH * step), half_a = v_load(w - REACH / 2 * step);
@@ -235,14 +161,14 @@ inline v_int16x8 slopesOf(const short* w, int step, const SlopeScale& scale, v_i
     return v_max(v_min(slope, scale.steepest), scale.lowest);
 }
 
-enum { STRIDE = 8 }; // blocks that become normals at once
+enum { BLOCKS_AT_ONCE = 8 }; // blocks that become normals at once
 
 //! Directions of the rays of blocks along one axis, for a step forward of 1. Rays farther out are as those at WIDEST.
 //! There are some more, so that the last stride is a whole one.
-std::vector<float> raysOf(int blocks, float focal, float center)
+std::vector<float> raysOfBlocks(int blocks, float focal, float center)
 {
     const float WIDEST = 2;
-    std::vector<float> rays(alignSize(blocks, STRIDE));
+    std::vector<float> rays(alignSize(blocks, BLOCKS_AT_ONCE));
     for (size_t i = 0; i < rays.size(); i++)
         rays[i] = std::min(std::max((2 * float(i) + 0.5f - center) / focal, -WIDEST), WIDEST);
     return rays;
@@ -257,8 +183,8 @@ public:
     NormalFinder(const Camera& camera, Size blocks)
         : per_slope_x_(camera.focal.x / (2 * REACH)), per_slope_y_(camera.focal.y / (2 * REACH)),
           steepest_x_(steepestOf(per_slope_x_)), steepest_y_(steepestOf(per_slope_y_)),
-          rays_x_(raysOf(blocks.width, camera.focal.x, camera.center.x)),
-          rays_y_(raysOf(blocks.height, camera.focal.y, camera.center.y))
+          rays_x_(raysOfBlocks(blocks.width, camera.focal.x, camera.center.x)),
+          rays_y_(raysOfBlocks(blocks.height, camera.focal.y, camera.center.y))
     {
     }
 
@@ -269,12 +195,12 @@ public:
         const v_float32x4 ray_y = v_setall_f32(rays_y_[y]);
         const float* const rays_x = rays_x_.data();
         const int width = int(rays_x_.size());
-        for (int x = 0; x < width; x += STRIDE)
+        for (int x = 0; x < width; x += BLOCKS_AT_ONCE)
         {
             const v_int16x8 here = v_load(w + x);
             v_int16x8 known = v_min(here, v_setall_s16(1));
-            const v_int16x8 slopes_x = slopesOf(w + x, 1, scale_x, known);
-            const v_int16x8 slopes_y = slopesOf(w + x, step, scale_y, known);
+            const v_int16x8 slopes_x = inverseSlopes(w + x, 1, scale_x, known);
+            const v_int16x8 slopes_y = inverseSlopes(w + x, step, scale_y, known);
             v_int32x4 inverses[2], x_parts[2], y_parts[2], known_parts[2];
             v_expand(here, inverses[0], inverses[1]);
             v_expand(slopes_x, x_parts[0], x_parts[1]);
@@ -344,14 +270,16 @@ void smoothRow(const int* above, const int* row, const int* below, int cols, std
     }
 }
 
-//! From the depth of the near end of the range, and of the far end, which may be infinite and becomes the first level.
-//! Levels that are left over tell apart what is nearer than the range.
-NearnessScale scaleOf(float first, float last, int near_level)
+//! Levels that are left over tell apart what is nearer than the range. Its far end may be infinite.
+NearnessScale scaleOf(const DepthSpan& span)
 {
-    const double inverse_near = 1. / first, inverse_far = 1. / last;
-    const double slope = std::min((near_level - FARTHEST) / std::max(inverse_near - inverse_far, DBL_MIN),
+    const bool has_gap = span.farther && span.range.last <= FLT_MAX;
+    const int near_level = span.nearer ? NEAREST - NEAR_GAP : NEAREST;
+    const int far_level = has_gap ? FARTHEST + FAR_GAP : FARTHEST;
+    const double inverse_near = 1. / span.range.first, inverse_far = 1. / span.range.last;
+    const double slope = std::min((near_level - far_level) / std::max(inverse_near - inverse_far, DBL_MIN),
                                   LEVELS / inverse_near);
-    const double horizon = FARTHEST - slope / last; // no product, which some processors would not round before this
+    const double horizon = far_level - slope / span.range.last; // a quotient is rounded before it is taken off
     const NearnessScale scale = { float(horizon + 0.5), float(slope), float(horizon) };
     return scale;
 }
@@ -427,17 +355,17 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     if (range.last > 0)
     {
         range.first = std::max(range.first, std::min(span.range.first, range.last) / 2);
-        span = { range, false };
+        span = { range, false, false };
     }
-    const float first = span.range.first;
-    const NearnessScale scale = scaleOf(first, span.range.last, span.nearer ? NEAREST - LEVELS_OF_GAP : NEAREST);
+    const NearnessScale scale = scaleOf(span);
     camera.horizon = scale.horizon;
 
     const Size blocks((depth.cols + 1) / 2, (depth.rows + 1) / 2);
     buffers.nearness.create(depth.size(), CV_8UC1);
-    buffers.inverses.create(blocks.height + 2 * REACH, int(alignSize(blocks.width, STRIDE)) + 2 * REACH, CV_16SC1);
+    buffers.inverses.create(blocks.height + 2 * REACH, int(alignSize(blocks.width, BLOCKS_AT_ONCE)) + 2 * REACH,
+                            CV_16SC1);
     buffers.inverses.setTo(Scalar(0));
-    const LevelRange levels = scaleAndInvert(depth, scale, first, buffers.nearness, buffers.inverses);
+    const LevelRange levels = scaleAndInvert(depth, scale, span.range.first, buffers.nearness, buffers.inverses);
     if (levels.low >= levels.high)
         return;
     nearness = buffers.nearness;

@@ -102,22 +102,44 @@ TEST(ximgproc_GWatershed_surfaces, small_things_near_to_the_camera_are_cut_out)
     }
 }
 
-//! As the far plane of a renderer: it takes no level from what is near.
-TEST(ximgproc_GWatershed_surfaces, a_far_background_takes_no_levels_from_others)
+//! As the far plane of a renderer, or what it has beside that, over less and over more than half of the image: it takes
+//! no level from others.
+TEST(ximgproc_GWatershed_surfaces, a_background_takes_no_levels_from_others)
 {
     Mat ball = Mat::zeros(SIZE, CV_8UC1);
-    circle(ball, Point(160, 150), 40, Scalar(1), FILLED);
-    for (const double& sky : { 20., 1e3, 65504., 1e10 })
-    {
-        Mat depth(SIZE, CV_32FC1, Scalar(2.6));
-        depth.rowRange(0, 60).setTo(Scalar(sky));
-        depth.setTo(Scalar(2), ball);
-        EXPECT_GT(purity(labelsOf(segment(gray(), depth, 100)), 100, ball), 0.99) << sky;
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 100);
-        gws->setDepthRange(0, float(sky));
-        gws->iterate(gray(), depth);
-        EXPECT_GT(purity(labelsOf(gws), 100, ball), 0.99) << sky;
-    }
+    circle(ball, Point(160, 180), 40, Scalar(1), FILLED);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const int& rows : { 1, 60, 130 })
+        for (const double& background : { 1e-4, 20., 1e3, 65504., 1e10, infinity })
+        {
+            Mat depth(SIZE, CV_32FC1, Scalar(2.6));
+            depth.rowRange(0, rows).setTo(Scalar(background));
+            depth.setTo(Scalar(2), ball);
+            EXPECT_GT(purity(labelsOf(segment(gray(), depth, 100)), 100, ball), 0.99) << background << ", " << rows;
+            if (background < 3)
+                continue;
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 100);
+            gws->setDepthRange(0, background < infinity ? float(background) : 3.f);
+            gws->iterate(gray(), depth);
+            EXPECT_GT(purity(labelsOf(gws), 100, ball), 0.99) << background << ", " << rows;
+        }
+}
+
+//! One pixel without an end is no reason to keep levels for what lies between.
+TEST(ximgproc_GWatershed_surfaces, an_infinite_pixel_takes_no_levels_from_others)
+{
+    Mat disc = Mat::zeros(SIZE, CV_8UC1);
+    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    for (const double& step : { 0.005, 0.01, 0.02 })
+        for (const int& side : { 10, 20 })
+        {
+            Mat depth(SIZE, CV_32FC1, Scalar(2));
+            depth.setTo(Scalar(2 * (1 + step)), disc);
+            depth.at<float>(0, 0) = std::numeric_limits<float>::infinity();
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(gray(), depth, RGWATERSHED, side);
+            gws->iterate();
+            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+        }
 }
 
 //! As the tutorial says.

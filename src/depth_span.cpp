@@ -1,0 +1,129 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "depth_span.hpp"
+#include "shared/valid_depth.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! The near end of a range that leaves out a hundredth of the depths there: moved to leave out a thousandth, because
+//! what is small and near is worth telling apart, but not so far that nearness gets less than 4/5 of its levels.
+static float extendNearEnd(FloatRange range, std::vector<float>& depths)
+{
+    const auto thousandth = depths.begin() + ptrdiff_t(depths.size() / 1000);
+    std::nth_element(depths.begin(), thousandth, depths.end());
+    const double inverse_near = 1. / range.first, inverse_far = 1. / range.last;
+    return std::max(*thousandth, float(1 / (inverse_near + (inverse_near - inverse_far) / 4)));
+}
+
+//! The middle one of the values that differ. A far plane, or a value for "no depth", is one of them, on however many
+//! pixels it is.
+static float middleOf(std::vector<float> values)
+{
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values[(values.size() - 1) / 2];
+}
+
+//! Takes out what is so much farther or nearer than other depths that they would have hardly any levels beside it, if
+//! it is more than outliers.
+static void removeExtremes(std::vector<float>& depths, DepthSpan& span)
+{
+    const float MUCH = 64;
+    const ptrdiff_t hundredth = ptrdiff_t(depths.size() / 100);
+    const auto ends = std::minmax_element(depths.begin(), depths.end());
+    if (*ends.second / MUCH <= *ends.first)
+        return;
+    const float middle = middleOf(depths);
+    const auto far = std::partition(depths.begin(), depths.end(), [&](float d) { return d / MUCH <= middle; });
+    if (depths.end() - far > hundredth)
+    {
+        span.farther = true;
+        depths.erase(far, depths.end());
+    }
+    const auto others = std::partition(depths.begin(), depths.end(), [&](float d) { return d < middle / MUCH; });
+    span.nearer = others - depths.begin() > hundredth;
+    if (span.nearer)
+        depths.erase(depths.begin(), others);
+}
+
+//! The range of depths without outliers at each end. {0, 0} if there are not two depths.
+static DepthSpan spanOf(std::vector<float>& depths, bool has_infinite)
+{
+    DepthSpan span = { { 0, 0 }, false, has_infinite };
+    if (depths.empty())
+        return span;
+    removeExtremes(depths, span);
+    FloatRange range = rangeWithout(depths.size() / 100, depths);
+    if (range.first >= range.last)
+    {
+        range.first = *std::min_element(depths.begin(), depths.end());
+        range.last = *std::max_element(depths.begin(), depths.end());
+    }
+    if (range.first >= range.last && span.farther)
+        range.last = std::numeric_limits<float>::infinity();
+    if (range.first < range.last)
+        range.first = extendNearEnd(range, depths);
+    if (range.first < range.last || span.nearer)
+        span.range = range;
+    return span;
+}
+
+//! The depths that one of each step pixels has that follow one another, without those that are missing; infinite ones
+//! are only noted.
+static std::vector<float> sampleDepths(const Mat& depth, int64 step, bool& has_infinite)
+{
+    const size_t size = depth.elemSize(), total = depth.total();
+    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
+    uchar* to = bytes.data();
+    visitSample(depth.size(), step, [&](int y, int x) { to = std::copy_n(depth.ptr(y, x), size, to); });
+    std::vector<float> depths(bytes.size() / size);
+    readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
+    has_infinite = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
+    depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
+                 depths.end());
+    return depths;
+}
+
+//! Whether two pixels have different depths; an infinite one differs from the others.
+static bool hasTwoDepths(const Mat& depth)
+{
+    std::vector<float> row(depth.cols);
+    float known = 0;
+    for (int y = 0; y < depth.rows; y++)
+    {
+        readDepths(depth.row(y), row.data());
+        for (float value : row)
+        {
+            if (value > 0 && known > 0 && value != known)
+                return true;
+            known = std::max(known, value);
+        }
+    }
+    return false;
+}
+
+DepthSpan findSpan(const Mat& depth)
+{
+    const int64 MANY = 8192, ENOUGH = MANY / 2, total = int64(depth.rows) * depth.cols;
+    for (int64 step = (total + MANY - 1) / MANY;;)
+    {
+        bool has_infinite = false;
+        std::vector<float> depths = sampleDepths(depth, step, has_infinite);
+        int64 count = int64(depths.size());
+        if (count >= ENOUGH || step == 1)
+        {
+            const DepthSpan span = spanOf(depths, has_infinite);
+            if (span.range.last > 0 || step == 1)
+                return span;
+            count = 0;
+        }
+        step = std::max<int64>(step * count / MANY, 1);
+        if (step == 1 && !hasTwoDepths(depth))
+            return DepthSpan();
+    }
+}
+
+}}} // namespace
