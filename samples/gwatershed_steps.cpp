@@ -81,17 +81,20 @@ static Steps runSteps(const Mat& image, int num_superpixels)
 
     gws::BoundarySweeper sweeper;
     gws::MergeBuffers merge_buffers;
-    if (plan.sweeps_before_merging > 0)
+    if (regions.size() > plan.num_regions)
     {
-        sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
-        sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
+        if (plan.sweeps_before_merging > 0)
+        {
+            sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
+            sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
+        }
+        Mat buffer;
+        gws::measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), buffer,
+                                  merge_buffers.textures);
+        gws::MergeRules rules = plan.merge_rules;
+        rules.in_cell = grid.parts.area();
+        gws::mergeSimilarRegions(plan.num_regions, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
     }
-    Mat buffer;
-    gws::measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), buffer,
-                              merge_buffers.textures);
-    gws::MergeRules rules = plan.merge_rules;
-    rules.in_cell = grid.parts.area();
-    gws::mergeSimilarRegions(plan.num_superpixels, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
     steps.merged = labels.view().clone();
 
     Ptr<SuperpixelGWatershed> all = createSuperpixelGWatershed(image.cols, image.rows, 3, num_superpixels);

@@ -9,8 +9,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! @note Not in the paper. Merging of the region adjacency graph by Ward's criterion, as in
-//! J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization approach (1989).
+//! @note Not in the paper. Merging of the region adjacency graph, the cheapest pairs first. Two factors of the cost are
+//! Ward's criterion, which J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization
+//! approach (1989), merge by; shared/union_cost.hpp has all of them.
 void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& distance, const Mat& labels,
                            int num_labels, MergeBuffers& buffers)
 {

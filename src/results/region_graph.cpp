@@ -112,10 +112,7 @@ void RegionGraph::unite(int from, int to)
         else
         {
             if (known != i)
-            {
                 boundaries_[known].length += boundary.length;
-                boundaries_[known].contrast += boundary.contrast;
-            }
             boundary.length = 0;
         }
         i = following;

@@ -22,7 +22,7 @@ public:
         int regions[2];
         int next[2];    //!< in the lists of the regions
         int length;     //!< in pixel edges; 0: it is no more
-        int64 contrast;   //!< sum over them
+        int64 contrast; //!< sum over them, as long as no regions are united
 
         bool exists() const { return length > 0; }
         //! Which of the two a region is.

@@ -33,7 +33,7 @@ public:
             if (part.num_markers > 1)
                 halve(part.rect, part.num_markers);
             else
-                markers_.push_back(findMarker(gradient_, part.rect));
+                markers_.push_back(findMarkerInCell(gradient_, part.rect));
         }
     }
 

@@ -100,7 +100,7 @@ int Plan::floodRuler(double num_blocks, int num_markers_there) const
 
 int Plan::usualFloodArea(double num_blocks, int num_markers_there)
 {
-    return int(USUAL_FLOOD_AREA * num_blocks / num_markers_there);
+    return int(std::min(USUAL_FLOOD_AREA * num_blocks / num_markers_there, double(INT_MAX)));
 }
 
 SweepRules Plan::sweepOn(int some_level) const

@@ -16,7 +16,7 @@ void FloodRegion::update()
     std::copy(values, values + 4, means);
     if (rise != 0 && sum.depth_area > 0)
         means[3] = saturate_cast<short>(mean.depth - rise / (int64(SurfaceMean::PLANE_UNIT) * sum.depth_area));
-    next_update = sum.area + sum.area / MEAN_GROWTH + 1;
+    next_update = int(std::min<int64>(int64(sum.area) + sum.area / MEAN_GROWTH + 1, INT_MAX));
 }
 
 //! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is

@@ -14,7 +14,7 @@ static int64 fromMiddle(const Mat& gradient, Point p)
 }
 
 //! @note The paper asks for local minima of the gradient and gives no rule.
-Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric)
+Point findMarkerInCell(const Mat& gradient, const Rect& cell, bool symmetric)
 {
     const Point center2(2 * cell.x + cell.width - 1, 2 * cell.y + cell.height - 1); // twice the centre
     const int rx = cell.width > 2 ? std::max(cell.width / 4, 1) : 0;
@@ -208,7 +208,7 @@ void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<P
 {
     CV_TRACE_FUNCTION();
     markers.resize(grid.numMarkers());
-    forParts(grid, [&](int i, const Rect& part) { markers[i] = findMarker(gradient, part, grid.symmetric); });
+    forParts(grid, [&](int i, const Rect& part) { markers[i] = findMarkerInCell(gradient, part, grid.symmetric); });
 }
 
 void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<Point>& markers,
@@ -219,7 +219,7 @@ void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<P
     middles.resize(grid.numMarkers());
     forParts(grid, [&](int i, const Rect& part)
     {
-        markers[i] = findMarker(gradient, part, grid.symmetric);
+        markers[i] = findMarkerInCell(gradient, part, grid.symmetric);
         const Point center(2 * part.x + part.width - 1, 2 * part.y + part.height - 1), marker = 2 * markers[i];
         const bool central = std::abs(marker.x - center.x) <= 1 && std::abs(marker.y - center.y) <= 1;
         middles[i] = central ? center : marker;

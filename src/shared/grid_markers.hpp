@@ -46,7 +46,7 @@ void placeGridMarkers(const Mat& gradient, const MarkerGrid& grid, std::vector<P
 //! The pixel with the smallest gradient, up to a quarter of the cell (at least one pixel) away from the centre of the
 //! cell. Of equal ones the nearest to the centre, then, in a symmetric grid, to that of the image, then the first in
 //! raster order. It lies in the cell, so no two markers are at the same place.
-Point findMarker(const Mat& gradient, const Rect& cell, bool symmetric = false);
+Point findMarkerInCell(const Mat& gradient, const Rect& cell, bool symmetric = false);
 
 //! Some rows of an image, and the markers in them.
 struct MarkerBand

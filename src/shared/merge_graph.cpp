@@ -145,7 +145,8 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
 //! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
 void MergeGraph::setRegions(int num_regions)
 {
-    const int SMALLEST = 9, LARGEST = 13, FEW = 8; // bits of numbers of regions
+    const int SMALLEST = 9, LARGEST = 13; // bits of numbers of regions
+    const int FEW = 8;                    // bands
     num_regions_ = num_regions;
     band_shift_ = SMALLEST;
     while (band_shift_ < LARGEST && (num_regions >> band_shift_) >= FEW)

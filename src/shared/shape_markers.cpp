@@ -8,7 +8,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! If no point is in the disc, as in a region that is not convex, the point nearest to the centre is taken.
-Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part)
+Point findMarkerInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int part)
 {
     const int64 area = end - begin;
     int64 sum_x = 0, sum_y = 0;
@@ -78,7 +78,7 @@ void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, 
         sortByColumns(begin + area * first / n, begin + area * last / n, row);
         const int64 row_area = int64(row.size()), cells = last - first;
         for (int64 k = 0; k < cells; k++)
-            markers.push_back(findMarker(gradient, row.begin() + row_area * k / cells,
+            markers.push_back(findMarkerInRegion(gradient, row.begin() + row_area * k / cells,
                                          row.begin() + row_area * (k + 1) / cells, 2));
     }
 }

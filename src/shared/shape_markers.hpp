@@ -30,7 +30,7 @@ void listPoints(const Mat& labels, int first, int num_regions, MarkerBuffers& bu
 
 //! The point with the smallest gradient in a disc around the centre of the points; of equal ones the nearest to the
 //! centre. The area of the disc is about that of the region divided by part^2.
-Point findMarker(const Mat& gradient, PointIterator begin, PointIterator end, int part);
+Point findMarkerInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int part);
 
 //! Places n markers in a region whose points are in raster order. n <= number of points.
 void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, int n, std::vector<Point>& markers);
