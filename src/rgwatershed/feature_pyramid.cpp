@@ -47,8 +47,43 @@ static inline v_int16x8 divideByFour(const v_uint16x8& sums)
     return v_reinterpret_as_s16(v_shr<2>(v_add_wrap(sums, v_setall_u16(2))));
 }
 
-//! Means of blocks of 2x2 pixels, 4 blocks at a time.
-static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
+//! Whether a step of depth goes through one of four blocks. What is missing, 0, is above all others less 1.
+static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_uint8x16& c, const v_uint8x16& d)
+{
+    const v_uint8x16 one = v_setall_u8(1), high = v_max(v_max(a, b), v_max(c, d));
+    const v_uint8x16 low = v_min(v_min(v_sub_wrap(a, one), v_sub_wrap(b, one)),
+                                 v_min(v_sub_wrap(c, one), v_sub_wrap(d, one)));
+    const v_uint8x16 steps = subtract(subtract(high, one), low);
+    return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_IN_BLOCK);
+}
+
+//! Depth of a block of 2x2 elements through which a step may go: the mean of the side that has more of it. A mean of
+//! both would be a depth that is nowhere, and regions of it would lie astride. Where both have as much, that of pixels
+//! is the near side, and that of blocks the mean.
+static uchar depthBesideStep(const Feature* upper, const Feature* lower, bool of_pixels, uchar mean)
+{
+    const int depths[4] = { upper[0].depth, upper[1].depth, lower[0].depth, lower[1].depth };
+    int low = 255, high = 0;
+    for (int depth : depths)
+    {
+        low = depth != 0 ? std::min(low, depth) : low;
+        high = std::max(high, depth);
+    }
+    int sums[2] = {}, counts[2] = {}; // of the far and of the near side
+    for (int depth : depths)
+    {
+        const int is_near = 2 * depth > low + high;
+        sums[is_near] += depth;
+        counts[is_near] += depth != 0;
+    }
+    if (high - low <= STEP_IN_BLOCK || (counts[0] == counts[1] && !of_pixels))
+        return mean;
+    const int side = counts[1] >= counts[0];
+    return uchar((sums[side] + counts[side] / 2) / counts[side]);
+}
+
+//! Means of blocks of 2x2 elements, 4 blocks at a time.
+static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, bool of_pixels, Feature* to)
 {
     v_uint32x4 first, second, third, fourth;
     v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), first, second);
@@ -62,6 +97,10 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
         return v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
     const Halves factors(twelfths(a, b, c, d));
     v_store(to->color, v_pack_u(divideByTwelve(low, factors.low), divideByTwelve(high, factors.high)));
+    if (!haveStep(a, b, c, d))
+        return;
+    for (int i = 0; i < 4; i++)
+        to[i].depth = depthBesideStep(upper + 2 * i, lower + 2 * i, of_pixels, to[i].depth);
 }
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
@@ -97,8 +136,8 @@ private:
     AutoBuffer<Feature> filled_[3];
 };
 
-static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
-                          Padded<Feature>& halved)
+static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, bool of_pixels,
+                          const Range& rows, Padded<Feature>& halved)
 {
     const int width = halved.size().width;
     RowsOfBlocks elements(features, grid);
@@ -109,7 +148,7 @@ static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid
         Feature* to = halved.row(y);
         int x = 0;
         for (; x <= width - 4; x += 4)
-            halveRow(upper + 2 * x, lower + 2 * x, with_depth, to + x);
+            halveRow(upper + 2 * x, lower + 2 * x, with_depth, of_pixels, to + x);
         if (x == width)
             continue;
         Feature last_upper[8], last_lower[8], last[4];
@@ -119,7 +158,7 @@ static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid
             last_upper[i] = upper[from];
             last_lower[i] = lower[from];
         }
-        halveRow(last_upper, last_lower, with_depth, last);
+        halveRow(last_upper, last_lower, with_depth, of_pixels, last);
         std::copy(last, last + (width - x), to + x);
     }
 }
@@ -242,8 +281,10 @@ static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& leve
         return;
     }
     const BlockGrid grid = levels.grid(level, color.size());
-    const auto makeBlocks = levels.ratio(level) == 3 ? thirdFeatures : halveFeatures;
-    makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level]);
+    if (levels.ratio(level) == 3)
+        thirdFeatures(features[level - 1], grid, !depth.empty(), rows, features[level]);
+    else
+        halveFeatures(features[level - 1], grid, !depth.empty(), level == 1, rows, features[level]);
 }
 
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
