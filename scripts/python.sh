@@ -37,4 +37,5 @@ run_unittest package "$root/python/test/test_package.py"
 run_unittest functions "$root/python/test/test_functions.py"
 run_unittest command "$root/python/test/test_command.py"
 run_unittest tiles "$root/python/test/test_tiles.py" PYTHONWARNINGS=ignore
+run_unittest "sources of tiles" "$root/python/test/test_tiles_sources.py" PYTHONWARNINGS=ignore
 finish

@@ -146,7 +146,8 @@ run_python() { # RELEASE
     check "$1: the functions" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_functions.py
     check "$1: the command" inside "$1" /gwatershed/venv/bin/python /gwatershed/python/test/test_command.py
     check "$1: tiles" inside "$1" sh -c '! /gwatershed/venv/bin/python -c "import zarr, dask" ||
-        /gwatershed/venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py'
+        { /gwatershed/venv/bin/python -W ignore /gwatershed/python/test/test_tiles.py &&
+          /gwatershed/venv/bin/python -W ignore /gwatershed/python/test/test_tiles_sources.py; }'
     check "$1: beside cv2" inside "$1" /gwatershed/venv/bin/python -c \
         'import cv2, gwatershed; print(cv2.__version__); import numpy as np
 image = np.random.RandomState(1).randint(0, 255, (90, 90, 3), np.uint8)

@@ -63,7 +63,8 @@ class Source:
         """height x width, or height x width x 3; and whether a pixel is valid."""
         pixels, valid = self._read(window)
         if pixels.dtype.kind == "f":
-            valid = valid & np.isfinite(pixels if pixels.ndim == 2 else pixels.sum(axis=2))
+            finite = np.isfinite(pixels)
+            valid = valid & (finite if pixels.ndim == 2 else finite.all(axis=2))
         return pixels, valid
 
     def read_depth(self, window: Window) -> Any:
@@ -173,5 +174,6 @@ def to_8_bits(pixels: Any, value_range: Optional[Tuple[float, float]]) -> Any:
     if value_range is None:
         return pixels
     low, high = value_range
-    scaled = (pixels.astype(np.float32) - np.float32(low)) * np.float32(255 / (high - low))
+    kind = np.result_type(pixels.dtype, np.float32)  # more bits where those of 32 would lose levels
+    scaled = (pixels.astype(kind) - kind.type(low)) * kind.type(255 / (high - low))
     return np.nan_to_num(scaled.clip(0, 255)).round().astype(np.uint8)

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+"""gwatershed.tiles: what files have, and what is made of it.
+
+It is skipped where dask or zarr are not installed; parts where rasterio is not.
+"""
+import unittest
+
+import numpy as np
+from test_tiles import TilesCase
+
+from gwatershed.tiles.sources import to_8_bits
+
+
+class ValuesTest(TilesCase):
+
+    def test_large_values_of_16_bits_are_valid(self):
+        large = (self.image.astype(np.float32) * 200).astype(np.float16)  # the sum of three bands would be infinite
+        large[:9, :9, 1] = np.inf
+        large[50:60, 50:60, 2] = np.nan
+        self.write_zarr("large.zarr", large)
+        number, labels = self.run_tiles(image="large.zarr")
+        self.assert_partition(number, labels, np.isfinite(large).all(axis=2))
+
+    def test_levels_survive_a_large_offset(self):
+        levels = np.arange(256).reshape(16, 16)
+        for dtype, offset in ((np.float64, 1e9), (np.int32, 10**9), (np.uint32, 4 * 10**9), (np.int64, -10**12),
+                              (np.uint64, 10**12), (">i4", -10**9), (np.uint16, 65000), (np.float32, 10**4)):
+            values = (levels + offset).astype(dtype)
+            np.testing.assert_array_equal(to_8_bits(values, (offset, offset + 255)), levels, str(dtype))
+
+
+if __name__ == "__main__":
+    unittest.main()
