@@ -9,7 +9,7 @@ It is skipped where dask or zarr are not installed; parts where rasterio is not.
 import unittest
 
 import numpy as np
-from test_tiles import TilesCase
+from test_tiles import TilesCase, has
 
 from gwatershed.tiles.sources import to_8_bits
 
@@ -30,6 +30,30 @@ class ValuesTest(TilesCase):
                               (np.uint64, 10**12), (">i4", -10**9), (np.uint16, 65000), (np.float32, 10**4)):
             values = (levels + offset).astype(dtype)
             np.testing.assert_array_equal(to_8_bits(values, (offset, offset + 255)), levels, str(dtype))
+
+
+@unittest.skipUnless(has("rasterio"), "needs rasterio")
+class RasterTest(TilesCase):
+
+    def write_tiff(self, name, bands, **profile):
+        import rasterio
+        with rasterio.open(self.path(name), "w", driver="GTiff", height=bands.shape[1], width=bands.shape[2],
+                           count=bands.shape[0], dtype=bands.dtype, **profile) as file:
+            file.write(bands)
+
+    def test_no_data_is_no_label(self):
+        import rasterio
+        bands = self.image.transpose(2, 0, 1).clip(1)
+        bands[:, :300, :300] = 0  # of labels, a block and more
+        self.write_tiff("image.tif", bands, nodata=0)
+        for start in (2**52 + 1, 2**52, 1 - 2**52, 0, 1000):
+            self.run_tiles("labels.tif", "image.tif", start_label=start, tile_size=640)
+            with rasterio.open(self.path("labels.tif")) as file:
+                np.testing.assert_array_equal(file.dataset_mask() != 0, bands[0] > 0)
+                np.testing.assert_array_equal(file.read(1) >= start, bands[0] > 0)
+        for start in (2**52 + 2, -2**52, 2**62):
+            with self.assertRaisesRegex(ValueError, "start_label must be from .* for a GeoTIFF"):
+                self.run_tiles("labels.tif", "image.tif", start_label=start)
 
 
 if __name__ == "__main__":

@@ -61,8 +61,12 @@ def check_scheduler(scheduler: Any) -> None:
                          % (", ".join(SCHEDULERS), scheduler))
 
 
-def check_start_label(start_label: int, pixels: int) -> None:
-    """All labels must fit, however many there will be."""
+def check_start_label(start_label: int, pixels: int, output: str) -> None:
+    """All labels must fit, however many there will be. A GeoTIFF has the value of no data as a floating-point number,
+    which GDAL rounds."""
     if not -2**63 < start_label <= 2**63 - pixels:
         raise ValueError("start_label must be from %d to %d for this image, so that labels fit 64 bits, not %d"
                          % (1 - 2**63, 2**63 - pixels, start_label))
+    if not is_zarr(output) and abs(start_label - 1) > 2**52:
+        raise ValueError("start_label must be from %d to %d for a GeoTIFF, so that no data has an exact value, not %d;"
+                         " .zarr takes others" % (1 - 2**52, 1 + 2**52, start_label))

@@ -44,7 +44,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     image: GeoTIFF, or what else rasterio reads, or an array of Zarr, height x width or height x width x bands. Complex
         numbers and palettes are refused.
     output: .zarr, or .tif or .tiff, a GeoTIFF with the georeference of the image; no address as s3://. Labels are
-        start_label .. start_label + N - 1, and start_label - 1 where the image has no data.
+        start_label .. start_label + N - 1, and start_label - 1 where the image has no data; a GeoTIFF takes a
+        start_label up to 2**52.
     region_size: side of a superpixel in pixels.
     depth: file of the depth, of the same size. By default the focal length is that of segment() for the whole image.
         The optical axis is in the middle of each tile.
@@ -81,7 +82,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
-    check_start_label(start_label, source.height * source.width)
+    check_start_label(start_label, source.height * source.width, output)
     if depths is not None and depth_range is None:
         depth_range = depths.range(of_depth=True)
     if depth_range is not None:
