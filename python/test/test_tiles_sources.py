@@ -55,6 +55,20 @@ class RasterTest(TilesCase):
             with self.assertRaisesRegex(ValueError, "start_label must be from .* for a GeoTIFF"):
                 self.run_tiles("labels.tif", "image.tif", start_label=start)
 
+    def test_rational_polynomials_survive(self):
+        import rasterio
+        from rasterio.rpc import RPC
+        one = [1.0] + [0.0] * 19
+        numbers = dict(height_off=100, height_scale=500, lat_off=45, lat_scale=0.1, line_off=480, line_scale=480,
+                       long_off=9, long_scale=0.1, samp_off=640, samp_scale=640, line_den_coeff=one,
+                       samp_den_coeff=one, line_num_coeff=[0.0, 0.0, -1.0] + one[3:],
+                       samp_num_coeff=[0.0, 1.0] + one[2:])
+        self.write_tiff("image.tif", self.image.transpose(2, 0, 1), rpcs=RPC(**numbers, err_bias=None, err_rand=None))
+        self.run_tiles("labels.tif", "image.tif", tile_size=640)
+        with rasterio.open(self.path("labels.tif")) as file:
+            kept = file.rpcs.to_dict()
+        self.assertEqual({name: kept[name] for name in numbers}, numbers)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -100,10 +100,12 @@ class Source:
             return {}
         import rasterio
         with rasterio.open(self.name) as file:
+            rpcs = {"rpcs": file.rpcs} if file.rpcs else {}
             points, crs = file.gcps
             if points:
-                return {"crs": crs, "gcps": points}
-            return {"crs": file.crs} if file.transform.is_identity else {"crs": file.crs, "transform": file.transform}
+                return {"crs": crs, "gcps": points, **rpcs}
+            transform = {} if file.transform.is_identity else {"transform": file.transform}
+            return {"crs": file.crs, **transform, **rpcs}
 
     def range(self, of_depth: bool = False) -> Optional[Tuple[float, float]]:
         """From the 1st to the 99th percentile of a regular sample; None for 8 bits, which are taken as they are. Of
