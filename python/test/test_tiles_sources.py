@@ -6,7 +6,11 @@
 
 It is skipped where dask or zarr are not installed; parts where rasterio is not.
 """
+import errno
+import json
+import os
 import unittest
+from unittest import mock
 
 import numpy as np
 from test_tiles import TilesCase, has
@@ -30,6 +34,25 @@ class ValuesTest(TilesCase):
                               (np.uint64, 10**12), (">i4", -10**9), (np.uint16, 65000), (np.float32, 10**4)):
             values = (levels + offset).astype(dtype)
             np.testing.assert_array_equal(to_8_bits(values, (offset, offset + 255)), levels, str(dtype))
+
+
+class StoreTest(TilesCase):
+
+    def test_full_disk_leaves_no_part_of_a_description(self):
+        _, expected = self.run_tiles()
+        full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        with mock.patch.object(json, "dump", side_effect=full), self.assertRaisesRegex(OSError, "No space"):
+            self.run_tiles()
+        self.assertFalse(os.path.exists(self.path("labels.zarr.part/job.json")))
+        np.testing.assert_array_equal(self.run_tiles()[1], expected)
+
+    def test_starts_anew_after_a_description_that_ends_early(self):
+        _, expected = self.run_tiles()
+        for text in ("", '{"image": {"na'):
+            os.mkdir(self.path("labels.zarr.part"))
+            with open(self.path("labels.zarr.part/job.json"), "w") as file:
+                file.write(text)
+            np.testing.assert_array_equal(self.run_tiles()[1], expected)
 
 
 @unittest.skipUnless(has("rasterio"), "needs rasterio")

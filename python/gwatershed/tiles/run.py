@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import sys
-from contextlib import contextmanager, nullcontext, redirect_stdout
+from contextlib import contextmanager, nullcontext, redirect_stdout, suppress
 from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -114,10 +114,10 @@ def _begin(job: Job) -> None:
     import zarr
     kept = os.path.join(job.store, "job.json")
     description = json.loads(json.dumps(job.__dict__, default=_plain))
-    if os.path.exists(kept):
-        with open(kept) as file:
-            if json.load(file) != description:
-                raise ValueError("%s is left from a run with another image or other parameters: remove it" % job.store)
+    earlier = _read_json(kept)
+    if earlier is not None:
+        if earlier != description:
+            raise ValueError("%s is left from a run with another image or other parameters: remove it" % job.store)
         return
     shutil.rmtree(job.store, ignore_errors=True)
     tiling = job.tiling
@@ -126,8 +126,15 @@ def _begin(job: Job) -> None:
               dtype=np.int64, fill_value=0)
     zarr.open(os.path.join(job.store, "counts"), mode="w", shape=(tiling.rows, tiling.columns), chunks=(1, 1),
               dtype=np.int64, fill_value=-1)
-    with open(kept, "w") as file:
+    with open(kept + ".new", "w") as file:
         json.dump(description, file)
+    os.replace(kept + ".new", kept)  # all of it or none, also on a full disk
+
+
+def _read_json(name: str) -> Any:
+    """None where there is no file, or one that was not written to its end."""
+    with suppress(FileNotFoundError, json.JSONDecodeError), open(name) as file:
+        return json.load(file)
 
 
 def _do_tiles(job: Job, compute: Any) -> List[int]:
