@@ -35,6 +35,12 @@ class ValuesTest(TilesCase):
             values = (levels + offset).astype(dtype)
             np.testing.assert_array_equal(to_8_bits(values, (offset, offset + 255)), levels, str(dtype))
 
+    def test_refuses_depth_of_int8_at_once(self):
+        self.write_zarr("depth.zarr", np.ones(self.image.shape[:2], np.int8))
+        with self.assertRaisesRegex(ValueError, "depth must not be of the type int8"):
+            self.run_tiles(depth=self.path("depth.zarr"))
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["depth.zarr", "image.zarr"])
+
 
 class StoreTest(TilesCase):
 

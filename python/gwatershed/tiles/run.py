@@ -80,6 +80,8 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):
         raise ValueError("depth must have the size of image, %d x %d" % (source.width, source.height))
+    if depths is not None and depths.dtype == "int8":
+        raise ValueError("depth must not be of the type int8")
     if os.path.abspath(output) in (source.name, depths and depths.name):
         raise ValueError("output must be another file than image and depth")
     check_start_label(start_label, source.height * source.width, output)
