@@ -9,12 +9,16 @@ It is skipped where dask or zarr are not installed; parts where rasterio is not.
 import errno
 import json
 import os
+import subprocess
+import sys
 import unittest
+import warnings
 from unittest import mock
 
 import numpy as np
 from test_tiles import TilesCase, has
 
+from gwatershed.tiles import segment_file
 from gwatershed.tiles.sources import to_8_bits
 
 
@@ -97,6 +101,19 @@ class RasterTest(TilesCase):
         with rasterio.open(self.path("labels.tif")) as file:
             kept = file.rpcs.to_dict()
         self.assertEqual({name: kept[name] for name in numbers}, numbers)
+
+    def test_plain_pictures_need_no_warning(self):
+        self.write_tiff("plain.tif", self.image.transpose(2, 0, 1))
+        for scheduler in ("threads", "processes"):
+            run = subprocess.run([sys.executable, "-m", "gwatershed.tiles", self.path("plain.tif"),
+                                  self.path("labels.tif"), "--region-size", "10", "--tile-size", "320", "--quiet",
+                                  "--scheduler", scheduler, "--workers", "2"], stderr=subprocess.PIPE, check=True,
+                                 env={**os.environ, "PYTHONWARNINGS": ""})
+            self.assertEqual(run.stderr, b"", scheduler)
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            segment_file(self.path("plain.tif"), self.path("labels.tif"), **self.SIZE)
+        self.assertFalse([of for of in said if "geotransform" in str(of.message)])
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@
 """The command gwatershed-tiles: superpixels of an image file of any size."""
 import argparse
 import sys
-import warnings
 from typing import Any, Dict, List, Optional
 
 import gwatershed
@@ -56,7 +55,6 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
 
 def main(arguments: Optional[List[str]] = None) -> int:
     parsed = parse(arguments)
-    warnings.filterwarnings("ignore", "Dataset has no geotransform")  # a plain picture has none
     camera: Dict[str, Any] = {} if parsed.focal_length is None else {"focal_length": (parsed.focal_length,) * 2}
     try:
         number = segment_file(

@@ -25,7 +25,7 @@ from .arguments import (
     workers_of,
 )
 from .lock import alone
-from .sources import Source, is_zarr, write_window
+from .sources import Source, is_zarr, open_raster, write_window
 from .tiling import Tiling, Window
 from .work import Job, do_tile, final_labels, number_tile
 
@@ -211,13 +211,12 @@ def _write_zarr(job: Job, output: str, start_label: int, compute: Any) -> None:
 
 def _write_raster(job: Job, output: str, start_label: int, progress: bool) -> None:
     """One file has one writer, which goes by rows of the store's chunks."""
-    import rasterio
     from dask import delayed
     tiling = job.tiling
     part = os.path.join(job.store, "final.tif")
-    with rasterio.open(part, "w", driver="GTiff", height=tiling.height, width=tiling.width, count=1, dtype="int64",
-                       nodata=start_label - 1, tiled=True, blockxsize=256, blockysize=256, compress="deflate",
-                       bigtiff="if_safer", **job.image.georeference()) as file:
+    with open_raster(part, "w", driver="GTiff", height=tiling.height, width=tiling.width, count=1, dtype="int64",
+                     nodata=start_label - 1, tiled=True, blockxsize=256, blockysize=256, compress="deflate",
+                     bigtiff="if_safer", **job.image.georeference()) as file:
         side = -(-tiling.chunk // 256) * 256
         windows = [Window(top, left, min(top + side, tiling.height), min(left + 4 * side, tiling.width))
                    for top in range(0, tiling.height, side) for left in range(0, tiling.width, 4 * side)]

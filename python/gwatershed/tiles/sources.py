@@ -4,8 +4,11 @@
 """Images and depth maps in files, read window by window."""
 import errno
 import os
+import threading
+import warnings
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, Iterator, Optional, Tuple
 
 import numpy as np
 
@@ -15,6 +18,7 @@ from .tiling import Window
 
 SAMPLED_ROWS = 64  # for the range of an image; each may need a row of chunks
 SAMPLES_IN_A_ROW = 4096
+_opening = threading.Lock()  # what warns is a setting of the process
 
 
 def is_zarr(name: str) -> bool:
@@ -86,10 +90,9 @@ class Source:
         return pixels, np.ones(window.shape, bool)
 
     def _read_raster(self, window: Window) -> Any:
-        import rasterio
         from rasterio.windows import Window as RasterWindow
         place = RasterWindow(window.left, window.top, *window.shape[::-1])
-        with rasterio.open(self.name) as file:
+        with open_raster(self.name) as file:
             pixels = file.read(list(self.bands), window=place)
             valid = file.dataset_mask(window=place) != 0
         return (pixels[0] if len(self.bands) == 1 else np.ascontiguousarray(pixels.transpose(1, 2, 0))), valid
@@ -98,8 +101,7 @@ class Source:
         """What a GeoTIFF of the labels takes over."""
         if is_zarr(self.name):
             return {}
-        import rasterio
-        with rasterio.open(self.name) as file:
+        with open_raster(self.name) as file:
             rpcs = {"rpcs": file.rpcs} if file.rpcs else {}
             points, crs = file.gcps
             if points:
@@ -127,6 +129,18 @@ class Source:
         return pixels[0, ::step][valid[0, ::step]].ravel()
 
 
+@contextmanager
+def open_raster(*arguments: Any, **profile: Any) -> Iterator[Any]:
+    """What rasterio.open() gives, without a warning for a plain picture, which has no georeference."""
+    import rasterio
+    from rasterio.errors import NotGeoreferencedWarning
+    with _opening, warnings.catch_warnings():
+        warnings.simplefilter("ignore", NotGeoreferencedWarning)
+        file = rasterio.open(*arguments, **profile)
+    with file:
+        yield file
+
+
 def write_window(file: Any, window: Window, values: Any) -> None:
     """Into the first band of an open raster."""
     from rasterio.windows import Window as RasterWindow
@@ -134,15 +148,13 @@ def write_window(file: Any, window: Window, values: Any) -> None:
 
 
 def _raster_shape(name: str) -> Tuple[int, int, int]:
-    import rasterio
-    with rasterio.open(name) as file:
+    with open_raster(name) as file:
         return file.height, file.width, file.count
 
 
 def _has_palette(name: str, bands: Tuple[int, ...]) -> bool:
-    import rasterio
     from rasterio.enums import ColorInterp
-    with rasterio.open(name) as file:
+    with open_raster(name) as file:
         return any(file.colorinterp[band - 1] == ColorInterp.palette for band in bands)
 
 
