@@ -16,9 +16,11 @@ import warnings
 from unittest import mock
 
 import numpy as np
+import zarr
+from test_command import call
 from test_tiles import TilesCase, has
 
-from gwatershed.tiles import segment_file
+from gwatershed.tiles import command, segment_file
 from gwatershed.tiles.sources import to_8_bits
 
 
@@ -44,6 +46,26 @@ class ValuesTest(TilesCase):
         with self.assertRaisesRegex(ValueError, "depth must not be of the type int8"):
             self.run_tiles(depth=self.path("depth.zarr"))
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["depth.zarr", "image.zarr"])
+
+    def test_names_what_is_not_installed(self):
+        for package, image, output, scheduler in (
+                ("rasterio", "image.tif", "labels.zarr", "threads"), ("rasterio", "image.zarr", "labels.tif", "threads"),
+                ("dask", "image.zarr", "labels.zarr", "threads"), ("zarr", "image.zarr", "labels.zarr", "threads"),
+                ("distributed", "image.zarr", "labels.zarr", "tcp://127.0.0.1:1")):
+            with mock.patch.dict(sys.modules, {package: None}):
+                code, _, errors = call(command.main, self.path(image), self.path(output), "--scheduler", scheduler)
+            self.assertEqual(code, 1)
+            self.assertEqual(errors, "gwatershed-tiles: this needs %s: pip install gwatershed[tiles], or python3-%s\n"
+                             % (package, package))
+            self.assertEqual(os.listdir(self.folder.name), ["image.zarr"])
+
+    def test_folders_that_are_no_array(self):
+        zarr.open(self.path("group.zarr"), mode="w")
+        os.mkdir(self.path("folder"))
+        for name in ("group.zarr", "folder"):
+            code, _, errors = call(command.main, self.path(name), self.path("labels.zarr"))
+            self.assertEqual(code, 1)
+            self.assertRegex(errors, r"^gwatershed-tiles: .*%s must be an array.*\n$" % name)
 
 
 class StoreTest(TilesCase):

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """Checks of arguments, before anything is read or made."""
-from typing import Any, Optional, Tuple
+import importlib.util
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -41,6 +42,16 @@ def range_of(values: Any) -> Any:
         return values
     values = tuple(values)
     return None if values == (0, 0) else values
+
+
+def check_packages(names: Sequence[str], scheduler: Any) -> None:
+    """Says what is not installed before anything is read or made."""
+    needed = {"dask": True, "zarr": True, "rasterio": not all(map(is_zarr, names)),
+              "distributed": isinstance(scheduler, str) and scheduler not in SCHEDULERS}
+    for package, is_needed in needed.items():
+        if is_needed and importlib.util.find_spec(package) is None:
+            raise ModuleNotFoundError("this needs %s: pip install gwatershed[tiles], or python3-%s"
+                                      % (package, package))
 
 
 def check_output(output: str) -> None:

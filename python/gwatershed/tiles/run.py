@@ -18,6 +18,7 @@ from .arguments import (
     SCHEDULERS,
     bands_of,
     check_output,
+    check_packages,
     check_parameters,
     check_scheduler,
     check_start_label,
@@ -76,6 +77,7 @@ def segment_file(image: str, output: str, region_size: int = 20, *, depth: Optio
                       **{name: of for name, of in ranges.items() if of is not None}})
     check_scheduler(scheduler)
     check_output(output)
+    check_packages([image, output] if depth is None else [image, output, os.fspath(depth)], scheduler)
     source = Source.open(image, bands_of(bands))
     depths = None if depth is None else Source.open(os.fspath(depth), single=True)
     if depths is not None and (depths.height, depths.width) != (source.height, source.width):

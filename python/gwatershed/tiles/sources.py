@@ -18,6 +18,7 @@ from .tiling import Window
 
 SAMPLED_ROWS = 64  # for the range of an image; each may need a row of chunks
 SAMPLES_IN_A_ROW = 4096
+FILES_OF_ZARR = (".zarray", ".zgroup", "zarr.json")
 _opening = threading.Lock()  # what warns is a setting of the process
 
 
@@ -175,6 +176,8 @@ def _zarr_shape(name: str) -> Tuple[int, int, int]:
     import zarr
     if "://" not in name and not os.path.exists(name):
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
+    if os.path.isdir(name) and not any(os.path.exists(os.path.join(name, part)) for part in FILES_OF_ZARR):
+        raise ValueError("%s must be an array of Zarr, not another folder" % name)
     shape = getattr(zarr.open(name, mode="r"), "shape", ())
     bands_first = len(shape) == 3 and shape[0] <= 4 < shape[2]
     if len(shape) not in (2, 3) or bands_first:
