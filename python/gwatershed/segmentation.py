@@ -81,6 +81,8 @@ def superpixels(labels: Any, image: Any = None, depth: Any = None, *, start_labe
     of depth), and normal (x, y, z, of length 1, towards the camera), NaN where there is nothing to take them from.
     """
     labels, start_label = _plain(labels, "labels"), integer(start_label, "start_label")
+    if focal_length is not None:
+        SuperpixelGWatershed(focal_length=focal_length)  # which says what is wrong as it does for segment()
     if labels.ndim != 2 or labels.dtype.kind not in "iu" or labels.size == 0:
         raise ValueError("labels must be integers in two dimensions, not %s of shape %s" % (labels.dtype, labels.shape))
     names, numbers = _compact(labels, start_label)
@@ -205,10 +207,13 @@ def depth_array(depth: Any) -> Any:
 
 
 def _plain(values: Any, name: str) -> Any:
-    """An array, if it has no mask of its own, which would be lost."""
+    """An array. What has a mask of its own, which would be lost, is refused, and what is a name or a number."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise TypeError(name + " must not be a masked array: fill it, floats with NaN, or give segment() its mask")
-    return np.asarray(values)
+    array = np.asarray(values)
+    if array.ndim == 0:
+        raise TypeError("%s must be an array, not %.60r" % (name, values))
+    return array
 
 
 def _optional(values: Any, name: str) -> Any:

@@ -3,6 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 """The functions segment() and superpixels(). What needs scikit-image is skipped where that is not installed."""
+import pathlib
 import unittest
 import warnings
 
@@ -232,6 +233,33 @@ class FunctionsTest(unittest.TestCase):
         self.assertEqual([list(p.bbox) for p in properties], table["bbox"].tolist())
         np.testing.assert_allclose([p.centroid for p in properties], table["centroid"])
         np.testing.assert_allclose([p.mean_intensity for p in properties], table["mean_color"], rtol=1e-5)
+
+
+class RefusalsTest(unittest.TestCase):
+
+    def test_names_and_numbers_are_no_arrays(self):
+        image = make_image()
+        labels = gwatershed.segment(image)
+        for wrong in ("photo.jpg", pathlib.Path("photo.jpg"), 5, np.float32(5), np.array(5), object()):
+            for name, call in (("image", lambda of: gwatershed.segment(of)),
+                               ("depth", lambda of: gwatershed.segment(image, depth=of)),
+                               ("mask", lambda of: gwatershed.segment(image, mask=of)),
+                               ("markers", lambda of: gwatershed.segment(image, markers=of)),
+                               ("labels", lambda of: gwatershed.superpixels(of)),
+                               ("image", lambda of: gwatershed.superpixels(labels, of)),
+                               ("depth", lambda of: gwatershed.superpixels(labels, None, of))):
+                with self.assertRaisesRegex(TypeError, "^%s must be an array, not " % name):
+                    call(wrong)
+
+    def test_focal_length_is_named(self):
+        image = make_image()
+        depth = np.ones(image.shape[:2], np.float32)
+        labels = gwatershed.segment(image)
+        for wrong in (500, (500,), (1, 2, 3), "ab", (None, 1)):
+            for call in (lambda of: gwatershed.segment(image, depth=depth, focal_length=of),
+                         lambda of: gwatershed.superpixels(labels, None, depth, focal_length=of)):
+                with self.assertRaisesRegex(TypeError, "^focal_length cannot be "):
+                    call(wrong)
 
 
 class NarrowLabelsTest(unittest.TestCase):
