@@ -11,8 +11,9 @@ import shutil
 import struct
 import sys
 import time
+import warnings
 from pathlib import Path
-from typing import Any, List, Optional, Tuple
+from typing import Any, Iterator, List, Optional, Tuple
 
 import numpy as np
 
@@ -26,7 +27,7 @@ EXAMPLES = """examples:
   gwatershed photographs/*.jpg -o folder
 
 The exit code is 0, 1 if a file could not be read, segmented or written, or a line not printed, 2 if an argument is
-unknown or no number, or 130 if it was stopped by Ctrl-C."""
+unknown, no number or no output, or 130 if it was stopped by Ctrl-C."""
 RED = (255, 0, 0)
 
 
@@ -88,6 +89,10 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("-q", "--quiet", action="store_true",
                         help="say nothing but errors, and what of a file is left out")
     parsed = parser.parse_args(arguments)
+    if not parsed.output:
+        parser.error("--output must be the name of a file or a folder")
+    if len(parsed.images) > 1 and os.path.exists(parsed.output) and not os.path.isdir(parsed.output):
+        parser.error("--output must be a folder for several images, not the file %s" % parsed.output)
     if parsed.depth and len(parsed.images) > 1:
         parser.error("--depth goes with one image")
     if len(parsed.images) > 1 and len({Path(image).stem for image in parsed.images}) < len(parsed.images):
@@ -95,20 +100,30 @@ def parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     return parsed
 
 
+@contextlib.contextmanager
+def opened(name: str) -> Iterator[Any]:
+    """A file as Pillow has it. It is given the stream alone, see upright(), so it cannot say whose it is."""
+    from PIL import Image, UnidentifiedImageError
+    Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
+    with open(name, "rb") as stream:
+        try:
+            file = Image.open(stream)
+        except UnidentifiedImageError:
+            raise ValueError("%s is no image that Pillow reads" % name) from None
+        with file:
+            look_for_more(file, name)
+            yield file
+
+
 def read_image(name: str) -> Any:
     """Colours, or grey values of more than 8 bits as they are, which Pillow would cut off."""
-    from PIL import Image
-    Image.MAX_IMAGE_PIXELS = None  # files of the user may be large
-    with open(name, "rb") as stream, Image.open(stream) as file:
-        look_for_more(file, name)
+    with opened(name) as file:
         image = upright(file)
         return fit_16_bits(np.asarray(image), "image") if image.mode[0] in "IF" else np.asarray(image.convert("RGB"))
 
 
 def read_depth(name: str) -> Any:
-    from PIL import Image
-    with open(name, "rb") as stream, Image.open(stream) as file:
-        look_for_more(file, name)
+    with opened(name) as file:
         return fit_16_bits(depth_array(upright(file)), "depth")
 
 
@@ -227,9 +242,13 @@ def process(name: str, arguments: argparse.Namespace) -> Tuple[int, float]:
     size = {"num_superpixels": arguments.number} if arguments.number is not None else {
         "region_size": 20 if arguments.region_size is None else arguments.region_size}
     start = time.perf_counter()
-    labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
-                     effort=arguments.effort, alpha=arguments.alpha, **size)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always", UserWarning)
+        labels = segment(image, depth=depth, num_iterations=arguments.iterations, ruler=arguments.ruler,
+                         effort=arguments.effort, alpha=arguments.alpha, **size)
     milliseconds = 1000 * (time.perf_counter() - start)
+    for warning in said:
+        say("gwatershed: %s: %s" % (name, warning.message), sys.stderr)
     write(output, encode(output, PICTURES[arguments.show](image, labels)))
     return int(labels.max()) + 1, milliseconds
 

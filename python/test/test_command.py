@@ -270,6 +270,34 @@ class CommandTest(FolderCase):
             self.assertIn("must be", errors)
         self.assertEqual(self.run_command("--help")[0], 0)
 
+    def test_outputs_that_are_none(self):
+        image, other, before = self.path("image.png"), self.path("other.png"), sorted(os.listdir(self.folder.name))
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder.name)
+        for output, images, text in (("", [image], "must be the name of a file or a folder"),
+                                     (self.path("depth.png"), [image, other], "must be a folder for several")):
+            code, _, errors = self.run_command(*images, "-o", output)
+            self.assertEqual(code, 2)
+            self.assertIn(text, errors)
+            self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+
+    def test_names_the_file_that_is_no_image(self):
+        with open(self.path("text.png"), "w") as file:
+            file.write("text")
+        for images in ([self.path("text.png")], [self.path("image.png"), "-d", self.path("text.png")]):
+            code, _, errors = self.run_command(*images, "-o", self.path("x.png"))
+            self.assertEqual(code, 1)
+            self.assertRegex(errors, r"^gwatershed: .*text\.png is no image that Pillow reads\n$")
+
+    def test_says_in_a_line_that_depth_is_not_valid(self):
+        from PIL import Image
+        Image.fromarray(self.depth * 0).save(self.path("zero.png"))
+        for _ in range(2):
+            code, _, errors = self.run_command(self.path("image.png"), "-o", self.path("x.png"), "-d",
+                                               self.path("zero.png"))
+            self.assertEqual(code, 0)
+            self.assertRegex(errors, r"^gwatershed: .*image\.png: depth has no valid value.*\n$")
+
     def start(self, *arguments, **streams):
         return subprocess.Popen([sys.executable, "-m", "gwatershed", *arguments], stderr=subprocess.PIPE, **streams,
                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))

@@ -49,7 +49,8 @@ class ValuesTest(TilesCase):
 
     def test_names_what_is_not_installed(self):
         for package, image, output, scheduler in (
-                ("rasterio", "image.tif", "labels.zarr", "threads"), ("rasterio", "image.zarr", "labels.tif", "threads"),
+                ("rasterio", "image.tif", "labels.zarr", "threads"),
+                ("rasterio", "image.zarr", "labels.tif", "threads"),
                 ("dask", "image.zarr", "labels.zarr", "threads"), ("zarr", "image.zarr", "labels.zarr", "threads"),
                 ("distributed", "image.zarr", "labels.zarr", "tcp://127.0.0.1:1")):
             with mock.patch.dict(sys.modules, {package: None}):
