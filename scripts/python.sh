@@ -38,4 +38,14 @@ run_unittest functions "$root/python/test/test_functions.py"
 run_unittest command "$root/python/test/test_command.py"
 run_unittest tiles "$root/python/test/test_tiles.py" PYTHONWARNINGS=ignore
 run_unittest "sources of tiles" "$root/python/test/test_tiles_sources.py" PYTHONWARNINGS=ignore
+
+# The library is installed by cmake, the package by pip or by apt.
+installs_no_python() {
+    rm -rf "$build/installed"
+    cmake --install "$build" --prefix "$build/installed" >/dev/null &&
+        find "$build/installed" -name 'libopencv_gwatershed*.so*' | grep . &&
+        (cd "$build/installed" && ! find . -name '*python*' -o -path './bin/*' | grep .)
+}
+logs=$build
+check "cmake --install leaves the package out" installs_no_python
 finish

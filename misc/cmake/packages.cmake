@@ -30,16 +30,15 @@ if(BUILD_PYTHON AND NOT SKBUILD)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(python_dir lib/python3/dist-packages)
   set(dist_info_dir ${python_dir}/gwatershed-${PROJECT_VERSION}.dist-info)
-  install(CODE "set(directories [[${python_dir}/gwatershed/tiles]] [[${dist_info_dir}]] [[${CMAKE_INSTALL_BINDIR}]])")
-  install(SCRIPT misc/cmake/note_directories.cmake)
-  install(TARGETS gwatershed_python DESTINATION ${python_dir}/gwatershed COMPONENT python)
-  install(DIRECTORY python/gwatershed DESTINATION ${python_dir} COMPONENT python
+  # For the packages alone: Python does not look where cmake --install would put it.
+  install(TARGETS gwatershed_python DESTINATION ${python_dir}/gwatershed COMPONENT python EXCLUDE_FROM_ALL)
+  install(DIRECTORY python/gwatershed DESTINATION ${python_dir} COMPONENT python EXCLUDE_FROM_ALL
     PATTERN __pycache__ EXCLUDE)
   configure_file(python/debian/METADATA.in METADATA @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/METADATA python/debian/entry_points.txt
-    DESTINATION ${dist_info_dir} COMPONENT python)
+    DESTINATION ${dist_info_dir} COMPONENT python EXCLUDE_FROM_ALL)
   install(PROGRAMS python/debian/gwatershed python/debian/gwatershed-tiles
-    DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
+    DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python EXCLUDE_FROM_ALL)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gwatershed)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
