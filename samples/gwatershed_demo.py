@@ -35,8 +35,12 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def main():
-    arguments = parse_arguments()
+def reason(error):
+    """What an exception of OpenCV says is wrong, without the expression that says so."""
+    return error.err.splitlines()[0].lstrip("> ").split(" (expected")[0].rstrip(":")
+
+
+def run(arguments):
     image = cv.imread(arguments.image, cv.IMREAD_COLOR)
     depth = cv.imread(arguments.depth, cv.IMREAD_UNCHANGED) if arguments.depth else None
     if image is None or (arguments.depth and depth is None):
@@ -46,7 +50,7 @@ def main():
         image, region_size=arguments.region_size, ruler=arguments.ruler)
     gws.setEffort(arguments.effort)
     gws.setAlpha(arguments.alpha)
-    if arguments.superpixels:
+    if arguments.superpixels is not None:
         gws.setDesiredSuperpixels(arguments.superpixels)
     start = time.perf_counter()
     if depth is None:
@@ -66,9 +70,19 @@ def main():
         "_labels.png" if few else "_labels.tiff": labels.astype(np.uint16) if few else labels,
     }
     for name, picture in pictures.items():
-        if not cv.imwrite(arguments.output + name, picture):
+        if not (cv.haveImageWriter(name) and cv.imwrite(arguments.output + name, picture)):
             sys.exit("Cannot write " + arguments.output + name)
     print("%dx%d: %d superpixels in %.2f ms" % (image.shape[1], image.shape[0], number, milliseconds))
+
+
+def main():
+    arguments = parse_arguments()
+    if not hasattr(cv, "ximgproc") or not hasattr(cv.ximgproc, "createSuperpixelGWatershed"):
+        sys.exit("This cv2 has no ximgproc.createSuperpixelGWatershed: OpenCV was built without the module")
+    try:
+        run(arguments)
+    except cv.error as error:
+        sys.exit(reason(error))
 
 
 if __name__ == "__main__":

@@ -384,5 +384,21 @@ class PlotTest(FolderCase):
             self.assertEqual((run.returncode, run.stderr.count(b"\n")), (1, 1), (table, picture))
 
 
+@needs("cv2")
+class DemoTest(FolderCase):
+    """The sample gwatershed_demo.py beside a cv2 without the module; scripts/test.sh runs it beside one with it."""
+
+    def test_says_that_the_module_is_missing(self):
+        import cv2
+        if hasattr(cv2, "ximgproc") and hasattr(cv2.ximgproc, "createSuperpixelGWatershed"):
+            self.skipTest("cv2 has the module")
+        cv2.imwrite(self.path("image.png"), make_image())
+        script = pathlib.Path(__file__).resolve().parents[2] / "samples" / "gwatershed_demo.py"
+        run = subprocess.run([sys.executable, str(script), self.path("image.png")], cwd=self.folder.name,
+                             stderr=subprocess.PIPE, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, rb"^This cv2 has no ximgproc.createSuperpixelGWatershed: .*\n$")
+
+
 if __name__ == "__main__":
     unittest.main()
