@@ -108,6 +108,14 @@ static void segmentFile(const Mat& image, const Mat& depth, SuperpixelGWatershed
               << "  " << prefix << "_contours.png, " << prefix << "_mean.png, " << labels_name << std::endl;
 }
 
+static Mat readPicture(const String& name, int mode)
+{
+    const Mat picture = imread(name, mode);
+    if (picture.empty())
+        CV_Error(Error::StsError, "cannot read the image " + name);
+    return picture;
+}
+
 static bool isNumber(const String& text)
 {
     const size_t MOST_DIGITS = 9;
@@ -131,6 +139,8 @@ public:
             glob(name, colors_);
             if (!depth_folder.empty())
                 glob(depth_folder, depths_);
+            if (!depth_folder.empty() && depths_.empty())
+                CV_Error(Error::StsBadArg, "there is no depth in the folder " + depth_folder);
         }
         else if (name == "openni2" || name == "realsense")
             openDepthCamera(name == "openni2");
@@ -156,11 +166,11 @@ public:
         }
         if (next_ == colors_.size() || (!depths_.empty() && next_ >= depths_.size()))
             return false;
-        image = imread(colors_[next_], IMREAD_COLOR);
+        image = readPicture(colors_[next_], IMREAD_COLOR);
         if (!depths_.empty())
-            depth = imread(depths_[next_], IMREAD_UNCHANGED);
+            depth = readPicture(depths_[next_], IMREAD_UNCHANGED);
         next_++;
-        return !image.empty();
+        return true;
     }
 
 private:
