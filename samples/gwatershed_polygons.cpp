@@ -8,6 +8,7 @@
 
 #include <opencv2/gwatershed.hpp>
 
+#include <fstream>
 #include <iostream>
 
 using namespace cv;
@@ -103,15 +104,18 @@ int main(int argc, char** argv)
         const Mat image = imread(image_file, IMREAD_COLOR);
         if (image.empty())
             CV_Error(Error::StsBadArg, "cannot read the image " + image_file);
-        FileStorage out(output, FileStorage::WRITE);
-        if (!out.isOpened())
+        std::ofstream file(output.c_str());
+        if (!file)
             CV_Error(Error::StsError, "cannot write " + output);
+        FileStorage out(output, FileStorage::WRITE | FileStorage::MEMORY); // in a file it would not see a full disk
 
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image.cols, image.rows, 3, num_superpixels);
         gws->iterate(image);
         Mat picture;
         const size_t count = writePolygons(*gws, image, out, picture);
-        out.release();
+        file << out.releaseAndGetString() << std::flush;
+        if (!file)
+            CV_Error(Error::StsError, "cannot write " + output);
         if (!picture_file.empty() && !imwrite(picture_file, picture))
             CV_Error(Error::StsError, "cannot write " + picture_file);
         std::cout << gws->getNumberOfSuperpixels() << " superpixels, " << count << " polygons" << std::endl;
