@@ -387,7 +387,9 @@ static int run(int argc, char** argv)
         parser.printMessage();
         return parser.has("help") ? 0 : 2;
     }
-    const std::vector<Example> examples = readExamples(image_dir, truth_dir, depth_dir, size_t(std::max(0, limit)));
+    if (limit < 0)
+        CV_Error_(Error::StsOutOfRange, ("limit must be 0 or more, not %d", limit));
+    const std::vector<Example> examples = readExamples(image_dir, truth_dir, depth_dir, size_t(limit));
     const std::vector<Method> methods = chooseMethods(allMethods(focal), splitList(parser.get<String>("methods")));
     if (examples.empty() || methods.empty())
     {
@@ -397,9 +399,10 @@ static int run(int argc, char** argv)
     }
     const std::vector<int> numbers = readNumbers(texts, examples);
     std::ofstream out(output.c_str()); // now, so that wrong arguments leave the table of another run as it is
+    out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds" << std::endl;
+    if (!out)
+        CV_Error(Error::StsError, "cannot write " + output);
     setNumThreads(threads);
-
-    out << "method,asked,image,recall,ue,asa,ev,co,superpixels,components,milliseconds\n";
     std::cout << format("%-46s %6s %8s %8s %8s %8s %8s %8s %8s %9s\n", "method", "asked", "recall", "UE", "ASA", "EV",
                         "CO", "N", "pieces", "ms");
     Progress progress;
@@ -418,10 +421,7 @@ static int run(int argc, char** argv)
             }
     out.flush();
     if (!out)
-    {
-        std::cerr << "Cannot write " << output << std::endl;
-        return 1;
-    }
+        CV_Error(Error::StsError, "cannot write " + output);
     return 0;
 }
 

@@ -174,6 +174,11 @@ int main(int argc, char** argv)
         return 1;
     }
     const int largest_block = 12; // so that all blocks are whole ones
+    if (image.cols < largest_block || image.rows < largest_block)
+    {
+        std::cerr << "The image needs 12x12 pixels at least" << std::endl;
+        return 1;
+    }
     image = image(Rect(0, 0, image.cols / largest_block * largest_block, image.rows / largest_block * largest_block));
     const Rect part = wanted & Rect(Point(), image.size());
     if (part.area() == 0 || num_superpixels < 1 || num_superpixels > int(image.total()))

@@ -149,6 +149,7 @@ run_samples() {
     cp "$results/fruits_labels.png" "$results/truth/fruits-0.png"
     check "gwatershed_benchmark" benchmark_finds_itself "$data/fruits.jpg"
     check "gwatershed_benchmark refuses numbers" refuses_numbers
+    check "samples say what is wrong" samples_refuse "$data"
     check "gwatershed_plot.py" sh -c '/usr/bin/python3 "$1" "$2.csv" -o "$2.png" | grep -q RGWATERSHED && [ -s "$2.png" ]' \
         sh "$root/samples/gwatershed_plot.py" "$results/benchmark"
 }
@@ -199,10 +200,37 @@ benchmark_finds_itself() { # IMAGE
 # Wrong numbers of superpixels, methods and folders end it with a message and the exit code 1.
 refuses_numbers() {
     local wrong benchmark=$build/bin/example_gwatershed_gwatershed_benchmark
-    for wrong in "-k=0" "-k=3x" "-k=400,999999" "-k=300 -m=none" "-k=300 -i=$results/no-such-folder"; do
+    for wrong in "-k=0" "-k=3x" "-k=400,999999" "-k=300 -m=none" "-k=300 -i=$results/no-such-folder" "-k=300 -l=-1"; do
         "$benchmark" -i="$results/images" -g="$results/truth" -o="$results/refused.csv" $wrong
         [ $? = 1 ] || return 1
     done
+}
+
+# A command ends with the exit code 1 and a message that has some words, and measures or draws nothing.
+refuses() { # WORDS COMMAND...
+    "${@:2}" >"$results/refused.out" 2>"$results/refused.err"
+    [ $? = 1 ] && [ ! -s "$results/refused.out" ] && grep "$1" "$results/refused.err" &&
+        ! grep Traceback "$results/refused.err"
+}
+
+samples_refuse() { # DATA
+    local image=$1/fruits.jpg sample=$build/bin/example_gwatershed_gwatershed wrong output=$results/refused
+    local python_demo=(env "PYTHONPATH=$build/lib/python3" /usr/bin/python3 "$root/samples/gwatershed_demo.py")
+    rm -rf "$results/frames"
+    mkdir -p "$results/frames" "$results/no-frames"
+    cp "$image" "$results/frames"
+    ln -sf /dev/full "$results/full.json"
+    for wrong in "-s 0" "-k 0" "-k -3" "-n 0" "-e 9" "-d $image"; do
+        refuses "must be" "${python_demo[@]}" "$image" -o "$output" $wrong || return 1
+    done
+    for wrong in no-frames no-such-folder; do
+        refuses "no depth in the folder" "${sample}_demo" -c="$results/frames" -d="$results/$wrong" || return 1
+    done
+    refuses "cannot write" "${sample}_polygons" -i="$image" -o="$results/full.json" &&
+    refuses "cannot write" "${sample}_benchmark" -i="$results/images" -g="$results/truth" -k=300 -o=/dev/full &&
+    PYTHONPATH=$build/lib/python3 /usr/bin/python3 -c 'import sys, cv2, numpy
+cv2.imwrite(sys.argv[1], numpy.zeros((11, 20, 3), numpy.uint8))' "$output.png" &&
+    refuses "12x12 pixels" "${sample}_steps" -i="$output.png" -o="$output.steps.png"
 }
 
 # The module alone is installed, projects find it, and uninstalling leaves what was there before. The projects are the
