@@ -96,11 +96,9 @@ public:
     void getLabelContourMask(OutputArray image, bool thick_line) const CV_OVERRIDE
     {
         const gws::Reading use(in_use_);
-        checkSegmented();
-        gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
         {
-            Mat mask = gws::createOutput(image, result_.labels.size(), CV_8UC1);
+            Mat mask = createMask(image);
             gws::drawContours(result_.labels, thick_line, mask);
         });
     }
@@ -108,11 +106,9 @@ public:
     void getWatershedLineMask(OutputArray image) const CV_OVERRIDE
     {
         const gws::Reading use(in_use_);
-        checkSegmented();
-        gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
         guardMemory([&]()
         {
-            Mat mask = gws::createOutput(image, result_.labels.size(), CV_8UC1);
+            Mat mask = createMask(image);
             mask.setTo(Scalar(0));
             segmenter_.drawLines(result_, mask);
         });
@@ -308,6 +304,22 @@ private:
             gws::checkOutput(output, type, is_line, name);
     }
 
+    //! Throws where an output that keeps its size has another one.
+    static void checkSize(OutputArray output, Size size, const char* name)
+    {
+        if (output.fixedSize() && output.size() != size)
+            CV_Error_(Error::StsUnmatchedSizes, ("%s must have %d rows and %d columns", name, size.height, size.width));
+    }
+
+    //! A mask of the size of the label map.
+    Mat createMask(OutputArray image) const
+    {
+        checkSegmented();
+        gws::checkOutput(image, CV_8UC1, result_.isLine(), "image");
+        checkSize(image, result_.labels.size(), "image");
+        return gws::createOutput(image, result_.labels.size(), CV_8UC1);
+    }
+
     struct Table
     {
         const Mat& values;
@@ -320,9 +332,8 @@ private:
     static void giveAll(std::initializer_list<Table> tables)
     {
         for (const Table& table : tables)
-            if (table.output.needed() && table.output.fixedSize() && table.output.size() != table.values.size())
-                CV_Error_(Error::StsUnmatchedSizes, ("%s must have %d rows and %d columns", table.name,
-                                                     table.values.rows, table.values.cols));
+            if (table.output.needed())
+                checkSize(table.output, table.values.size(), table.name);
         for (const Table& table : tables)
             if (table.output.needed())
             {

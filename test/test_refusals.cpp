@@ -255,6 +255,9 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_what_cannot_hold_a_result_before_any
     EXPECT_TRUE(isRefused([&] { gws->getLabels(mats); }, "labels_out must be"));
     EXPECT_TRUE(isRefused([&] { gws->getLabels(noArray()); }, "labels_out must be"));
     EXPECT_TRUE(isRefused([&] { gws->getLabelContourMask(floats); }, "image must be"));
+    Mat canvas(100, 100, CV_8UC1);
+    EXPECT_TRUE(isRefused([&] { gws->getLabelContourMask(canvas(Rect(0, 0, 41, 30))); }, "image must have"));
+    EXPECT_TRUE(isRefused([&] { gws->getWatershedLineMask(canvas(Rect(0, 0, 40, 31))); }, "image must have"));
     EXPECT_TRUE(isRefused([&] { gws->getLabelContourMask(noArray()); }, "image must be"));
     EXPECT_TRUE(isRefused([&] { gws->getWatershedLineMask(floats); }, "image must be"));
     EXPECT_TRUE(bytes.empty() && floats.empty() && labels.empty() && mats.empty());

@@ -83,25 +83,6 @@ TEST_P(ximgproc_GWatershed_scale, takes_a_superpixel_with_very_many_neighbours)
     expectPartition(labelsOf(gws), size, gws->getNumberOfSuperpixels());
 }
 
-// Pixels instead of blocks would take eight times as long. It is the shortest of some calls that is compared.
-TEST(ximgproc_SuperpixelGWatershed, more_effort_takes_little_longer_for_smaller_superpixels)
-{
-    const Mat image = makeScene(Size(320, 240), theRNG());
-    for (const int effort : { 2, 3 })
-    {
-        double shortest[] = { DBL_MAX, DBL_MAX };
-        for (int call = 0; call < 20; call++) // in turns, so that both are disturbed alike
-        {
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, call % 2 ? 8 : 12);
-            gws->setEffort(effort);
-            const int64 start = getTickCount();
-            gws->iterate();
-            shortest[call % 2] = std::min(shortest[call % 2], double(getTickCount() - start));
-        }
-        EXPECT_LT(shortest[1], 5 * shortest[0]) << effort;
-    }
-}
-
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_scale, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

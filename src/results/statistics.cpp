@@ -204,18 +204,27 @@ private:
         {
             const double* values = row + k;
             double sum = 0;
-            int finite = 0;
-            for (int x = first; x < end; x++)
-            {
-                const double value = values[size_t(x) * channels_];
-                const bool is_finite = std::abs(value) <= DBL_MAX;
-                sum += is_finite ? value : 0;
-                finite += is_finite;
-            }
+            if (color_areas_.empty())
+                for (int x = first; x < end; x++)
+                    sum += values[size_t(x) * channels_];
+            else
+                sum = addFinite(values, first, end, color_areas_[begin + k]);
             colors_[begin + k] += sum;
-            if (!color_areas_.empty())
-                color_areas_[begin + k] += finite;
         }
+    }
+
+    //! Which values are finite cannot be foreseen, so there is no branch.
+    double addFinite(const double* values, int first, int end, int& count) const
+    {
+        double sum = 0;
+        for (int x = first; x < end; x++)
+        {
+            const double value = values[size_t(x) * channels_], addends[2] = { 0, value };
+            const bool is_finite = std::abs(value) <= DBL_MAX;
+            sum += addends[is_finite];
+            count += is_finite;
+        }
+        return sum;
     }
 
     //! What depths are asked for. The place of the first one is from the optical axis.

@@ -8,6 +8,10 @@
 #include "precomp.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#error "gwatershed reads features and pairs of numbers in little-endian order; on this processor labels would be wrong"
+#endif
+
 namespace cv { namespace ximgproc { namespace gws {
 
 //! @file Depending on its version, OpenCV has functions or operators for these operations on vectors. The function is

@@ -330,6 +330,25 @@ static void timeNeighbours()
     }
 }
 
+//! Where pixels were flooded instead of blocks, more effort would take eight times as long.
+static void timeEffort()
+{
+    const Mat image = makeImage(SCENE_OF_TILES, 0, CV_8UC3);
+    for (int effort = 2; effort <= 3; effort++)
+    {
+        double shortest[] = { DBL_MAX, DBL_MAX };
+        for (int call = 0; call < 10; call++) // in turns, so that both are disturbed alike
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, call % 2 ? 8 : 12);
+            gws->setEffort(effort);
+            shortest[call % 2] = std::min(shortest[call % 2], timeOf([&] { gws->iterate(); }));
+        }
+        check(shortest[1] < 5 * shortest[0],
+              format("effort %d, superpixels of 8x8 pixels: %.1f times the time of 12x12", effort,
+                     shortest[1] / shortest[0]));
+    }
+}
+
 struct StreamFrame
 {
     Mat image, depth, mask, markers;
@@ -415,6 +434,7 @@ int main(int argc, char** argv)
     runOutOfMemory();
     timeStrips();
     timeNeighbours();
+    timeEffort();
     measureMemory(4000, 20);
     measureMemory(1000, 3);
     soak(parser.get<int>("soak"));

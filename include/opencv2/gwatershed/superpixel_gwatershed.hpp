@@ -89,12 +89,14 @@ and masks of an image of one row, may also be a std::vector of that type.
 does that of RGWATERSHED with a mask, with user markers or with setDepthAdaptive(true). Different objects can be used in
 different threads at the same time. One object can not, except for its const methods: the second call throws.
 
-**Algorithm.** write() and read() store and restore the parameters; read() throws, and changes nothing, if one
-of them is missing or out of its range. clear() drops the segmentation, the image of the factory, the mask, the
-markers and the buffers, and keeps the parameters. empty() is true while there is no segmentation.
+**Algorithm.** write() and read() store and restore the parameters: `gws->read(storage[gws->getDefaultName()])`, not
+Algorithm::load(). read() throws, and changes nothing, if one is missing or out of its range. clear() drops the
+segmentation, the image of the factory, the mask, the markers and the buffers, and keeps the parameters. empty() is true
+while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond.
-Buffers are kept from one image to the next.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and two more
+in mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 700 bytes for each
+superpixel that mergeSimilar() needs while it runs.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -292,7 +294,8 @@ public:
     of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel. Markers may touch
     each other and the border of the image. A marker in several pieces makes a superpixel in several pieces, at most as
     many. Pixels that no marker reaches, in other components of a mask, have the label -1; so have all pixels if there
-    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; the ruler acts in the sweeps only.
+    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; the ruler acts in the sweeps only, as do
+    the planes of surfaces: give a large one that is seen at an angle several markers.
 
     @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of getLabels()).
     Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate() throws if the size differs.
@@ -426,7 +429,9 @@ public:
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, in which what is far takes
     few levels and what is near takes them from all else. Its near end is the nearest thousandth, not the hundredth, but
     at most a quarter of the range nearer; a near_depth below half of that counts as half of it. Differences below
-    1/2500 of the inverse near end do not count. */
+    1/2500 of the inverse near end do not count. Steps of a colour must be 2 % of the depth to be found at the near end,
+    5, 10 and 20 % at 4, 8 and 16 times its depth. What is more than 64 times as far as the middle one of the depths
+    that differ counts as infinite, if it is more than a hundredth. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
