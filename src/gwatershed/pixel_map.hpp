@@ -33,7 +33,7 @@ typedef Padded<FloodPixel> PixelMap;
 //! empty; alpha is in 1/256. Pixels whose gradient is known and not below border_threshold are LINE, unless that is 0,
 //! all others UNLABELLED.
 void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& gradient, float border_threshold,
-                             PixelMap& pixels);
+                  PixelMap& pixels);
 
 //! Makes the pixels outside of a mask part of the frame.
 void closeOutside(const Mat& mask, PixelMap& pixels);

@@ -94,9 +94,9 @@ Algorithm::load(). read() throws, and changes nothing, if one is missing or out 
 segmentation, the image of the factory, the mask, the markers and the buffers, and keeps the parameters. empty() is true
 while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and two more
-in mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 700 bytes for each
-superpixel that mergeSimilar() needs while it runs.
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and two in
+mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 700 bytes for each superpixel
+that mergeSimilar() needs while it runs.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -294,8 +294,8 @@ public:
     of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel. Markers may touch
     each other and the border of the image. A marker in several pieces makes a superpixel in several pieces, at most as
     many. Pixels that no marker reaches, in other components of a mask, have the label -1; so have all pixels if there
-    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; the ruler acts in the sweeps only, as do
-    the planes of surfaces: give a large one that is seen at an angle several markers.
+    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; ruler and planes act in the sweeps
+    only, so give a large surface that is seen at an angle several markers.
 
     @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of getLabels()).
     Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate() throws if the size differs.
