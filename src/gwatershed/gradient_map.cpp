@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "gwatershed/gradient_map.hpp"
+#include "shared/alpha.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -85,7 +86,7 @@ static void addDepthGradient(const Mat& depth, const Range& rows, int alpha, Mat
         ushort* to = gradient.ptr<ushort>(y);
         for (int x = 0; x < band.cols; x++)
             if (complete[x])
-                to[x] = ushort((alpha * to[x] + (256 - alpha) * from[x] + 128) >> 8);
+                to[x] = ushort(weighByAlpha(alpha, to[x], from[x]));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "gwatershed/pixel_map.hpp"
+#include "shared/alpha.hpp"
 #include "shared/mask_pyramid.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 
@@ -56,8 +57,7 @@ static void weighDepth(const uchar* p, const uchar* q, int n, int alpha, uchar* 
 {
     for (int x = 0; x < n; x++)
     {
-        const int depth = std::abs(p[x] - q[x]);
-        const int weighed = (alpha * distances[x] + (256 - alpha) * depth + 128) >> 8;
+        const int weighed = weighByAlpha(alpha, distances[x], std::abs(p[x] - q[x]));
         distances[x] = uchar(((p[x] != 0) & (q[x] != 0)) ? weighed : distances[x]);
     }
 }

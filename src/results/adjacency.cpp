@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "results/adjacency.hpp"
+#include "shared/alpha.hpp"
 #include "results/region_graph.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -21,7 +22,7 @@ static int distance(const Pixel& p, const Pixel& q, int alpha)
     const int color = std::max(std::max(std::abs(p.b - q.b), std::abs(p.g - q.g)), std::abs(p.r - q.r));
     if (p.depth == 0 || q.depth == 0)
         return color;
-    return (alpha * color + (256 - alpha) * std::abs(p.depth - q.depth) + 128) >> 8;
+    return weighByAlpha(alpha, color, std::abs(p.depth - q.depth));
 }
 
 //! Contrast of neighbouring pixels: their distance, equations (1) to (3).
