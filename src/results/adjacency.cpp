@@ -4,8 +4,8 @@
 
 #include "precomp.hpp"
 #include "results/adjacency.hpp"
-#include "shared/alpha.hpp"
 #include "results/region_graph.hpp"
+#include "shared/alpha.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
