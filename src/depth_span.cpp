@@ -37,11 +37,11 @@ static void removeExtremes(std::vector<float>& depths, DepthSpan& span)
     if (*ends.second / MUCH <= *ends.first)
         return;
     const float middle = middleOf(depths);
-    const auto far = std::partition(depths.begin(), depths.end(), [&](float d) { return d / MUCH <= middle; });
-    if (depths.end() - far > hundredth)
+    const auto distant = std::partition(depths.begin(), depths.end(), [&](float d) { return d / MUCH <= middle; });
+    if (depths.end() - distant > hundredth)
     {
         span.farther = true;
-        depths.erase(far, depths.end());
+        depths.erase(distant, depths.end());
     }
     const auto others = std::partition(depths.begin(), depths.end(), [&](float d) { return d < middle / MUCH; });
     span.nearer = others - depths.begin() > hundredth;

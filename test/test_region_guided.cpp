@@ -187,6 +187,25 @@ TEST(ximgproc_SuperpixelGWatershed, takes_lab_input_as_it_is)
     EXPECT_TRUE(equalMats(segment(lab, GWATERSHED, 10), labelsOf(gws)));
 }
 
+//! What moves from region to region must leave the sums of depth right: without a depth, colour would count.
+TEST(ximgproc_SuperpixelGWatershed, depth_alone_is_depth_alone_at_any_size)
+{
+    RNG& rng = theRNG();
+    for (int i = 0; i < 30; i++)
+    {
+        const Mat image = makeScene(Size(120, 90), rng), other = makeScene(image.size(), rng);
+        const Mat depth = makeDepth(image.size(), 0, rng);
+        const int region_sizes[] = { 10, 12, 14, 16, 20 };
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_sizes[i % 5]);
+        gws->setAlpha(0);
+        gws->setEffort(i % 2);
+        gws->iterate(image, depth);
+        const Mat labels = labelsOf(gws);
+        gws->iterate(other, depth);
+        EXPECT_TRUE(equalMats(labels, labelsOf(gws))) << region_sizes[i % 5] << ", " << i % 2;
+    }
+}
+
 TEST(ximgproc_SuperpixelGWatershed, alpha_weighs_colour_against_depth)
 {
     RNG& rng = theRNG();

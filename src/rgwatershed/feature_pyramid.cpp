@@ -9,17 +9,33 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Mean of the depths of 3x3 elements that are valid.
-static uchar meanDepth(const Feature* const rows[3], int x)
+//! Depth of a block of side * side elements: the mean of those that are valid. Where a step goes through the block,
+//! that of the side which has more of it, or the near one. A mean of both would be a depth that is nowhere, and regions
+//! of it would lie astride. `lost` becomes what the sum over the elements has more than that of as many of this depth.
+static uchar depthOfBlock(const Feature* const* rows, int side, int x, int& lost)
 {
-    int sum = 0, valid = 0;
-    for (int i = 0; i < 9; i++)
+    int sum = 0, count = 0, low = 255, high = 0;
+    for (int i = 0; i < side * side; i++)
     {
-        const int depth = rows[i / 3][x + i % 3].depth;
+        const int depth = rows[i / side][x + i % side].depth;
         sum += depth;
-        valid += depth != 0;
+        count += depth != 0;
+        low = depth != 0 ? std::min(low, depth) : low;
+        high = std::max(high, depth);
     }
-    return valid ? uchar((sum + valid / 2) / valid) : uchar(0);
+    lost = 0;
+    if (high - low <= STEP_IN_BLOCK)
+        return count > 0 ? uchar((sum + count / 2) / count) : uchar(0);
+    int sums[2] = {}, counts[2] = {}; // of the far and of the near side
+    for (int i = 0; i < side * side; i++)
+    {
+        const int depth = rows[i / side][x + i % side].depth, is_near = 2 * depth > low + high;
+        sums[is_near] += depth;
+        counts[is_near] += depth != 0;
+    }
+    const int larger = counts[1] >= counts[0], mean = (sums[larger] + counts[larger] / 2) / counts[larger];
+    lost = sum - count * mean;
+    return uchar(mean);
 }
 
 //! 12 over the number of elements that count: all four for colours, those with depth for depth. It is the largest of
@@ -57,33 +73,8 @@ static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_ui
     return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_IN_BLOCK);
 }
 
-//! Depth of a block of 2x2 elements through which a step may go: the mean of the side that has more of it. A mean of
-//! both would be a depth that is nowhere, and regions of it would lie astride. Where both have as much, that of pixels
-//! is the near side, and that of blocks the mean.
-static uchar depthBesideStep(const Feature* upper, const Feature* lower, bool of_pixels, uchar mean)
-{
-    const int depths[4] = { upper[0].depth, upper[1].depth, lower[0].depth, lower[1].depth };
-    int low = 255, high = 0;
-    for (int depth : depths)
-    {
-        low = depth != 0 ? std::min(low, depth) : low;
-        high = std::max(high, depth);
-    }
-    int sums[2] = {}, counts[2] = {}; // of the far and of the near side
-    for (int depth : depths)
-    {
-        const int is_near = 2 * depth > low + high;
-        sums[is_near] += depth;
-        counts[is_near] += depth != 0;
-    }
-    if (high - low <= STEP_IN_BLOCK || (counts[0] == counts[1] && !of_pixels))
-        return mean;
-    const int side = counts[1] >= counts[0];
-    return uchar((sums[side] + counts[side] / 2) / counts[side]);
-}
-
-//! Means of blocks of 2x2 elements, 4 blocks at a time.
-static inline void halveRow(const Feature* upper, const Feature* lower, bool with_depth, bool of_pixels, Feature* to)
+//! Means of blocks of 2x2 elements, 4 blocks at a time. Returns whether a step of depth goes through one of them.
+static inline bool halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
     v_uint32x4 first, second, third, fourth;
     v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), first, second);
@@ -94,13 +85,13 @@ static inline void halveRow(const Feature* upper, const Feature* lower, bool wit
     const v_uint16x8 low = v_add_wrap(v_add_wrap(ha.low, hb.low), v_add_wrap(hc.low, hd.low));
     const v_uint16x8 high = v_add_wrap(v_add_wrap(ha.high, hb.high), v_add_wrap(hc.high, hd.high));
     if (!with_depth)
-        return v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
+    {
+        v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
+        return false;
+    }
     const Halves factors(twelfths(a, b, c, d));
     v_store(to->color, v_pack_u(divideByTwelve(low, factors.low), divideByTwelve(high, factors.high)));
-    if (!haveStep(a, b, c, d))
-        return;
-    for (int i = 0; i < 4; i++)
-        to[i].depth = depthBesideStep(upper + 2 * i, lower + 2 * i, of_pixels, to[i].depth);
+    return haveStep(a, b, c, d);
 }
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
@@ -136,30 +127,45 @@ private:
     AutoBuffer<Feature> filled_[3];
 };
 
-static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, bool of_pixels,
-                          const Range& rows, Padded<Feature>& halved)
+//! Takes the depths of some blocks one by one. Elements of theirs begin with the rows.
+static void takeDepths(const Feature* const* rows, int side, const Range& blocks, int y, Feature* to,
+                       std::vector<LostDepth>& lost_depths)
+{
+    for (int x = blocks.start; x < blocks.end; x++)
+    {
+        LostDepth lost = { Point(x, y), 0 };
+        to[x].depth = depthOfBlock(rows, side, side * x, lost.sum);
+        if (lost.sum != 0)
+            lost_depths.push_back(lost);
+    }
+}
+
+static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
+                          Padded<Feature>& halved, std::vector<LostDepth>& lost_depths)
 {
     const int width = halved.size().width;
     RowsOfBlocks elements(features, grid);
     for (int y = rows.start; y < rows.end; y++)
     {
-        const Feature* upper = elements.row(y, 0);
-        const Feature* lower = elements.row(y, 1);
+        const Feature* const from[2] = { elements.row(y, 0), elements.row(y, 1) };
         Feature* to = halved.row(y);
         int x = 0;
         for (; x <= width - 4; x += 4)
-            halveRow(upper + 2 * x, lower + 2 * x, with_depth, of_pixels, to + x);
+            if (halveRow(from[0] + 2 * x, from[1] + 2 * x, with_depth, to + x))
+                takeDepths(from, 2, Range(x, x + 4), y, to, lost_depths);
         if (x == width)
             continue;
         Feature last_upper[8], last_lower[8], last[4];
         for (int i = 0; i < 8; i++)
         {
-            const int from = std::min(2 * x + i, 2 * width - 1);
-            last_upper[i] = upper[from];
-            last_lower[i] = lower[from];
+            const int element = std::min(2 * x + i, 2 * width - 1);
+            last_upper[i] = from[0][element];
+            last_lower[i] = from[1][element];
         }
-        halveRow(last_upper, last_lower, with_depth, of_pixels, last);
+        const bool have_step = halveRow(last_upper, last_lower, with_depth, last);
         std::copy(last, last + (width - x), to + x);
+        if (have_step)
+            takeDepths(from, 2, Range(x, width), y, to, lost_depths);
     }
 }
 
@@ -182,7 +188,7 @@ static inline void meanOfColumns(const ushort* sums, Feature* to)
 }
 
 static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
-                          Padded<Feature>& thirds)
+                          Padded<Feature>& thirds, std::vector<LostDepth>& lost_depths)
 {
     const int width = thirds.size().width, CHANNELS = int(sizeof(Feature));
     std::vector<ushort> sums(CHANNELS * 3 * (width + 1)); // blocks are taken in pairs
@@ -196,8 +202,8 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
         addRows(from, 3 * width, sums.data());
         for (int x = 0; x < width; x += 2)
             meanOfColumns(&sums[3 * CHANNELS * x], &means[x]);
-        for (int x = 0; with_depth && x < width; x++)
-            means[x].depth = meanDepth(from, 3 * x);
+        if (with_depth)
+            takeDepths(from, 3, Range(0, width), y, means.data(), lost_depths);
         std::copy(means.begin(), means.begin() + width, thirds.row(y));
     }
 }
@@ -268,9 +274,9 @@ static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureM
     }
 }
 
-//! Some rows of a level.
+//! Some rows of a level, those of a band.
 static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& levels, int level, const Range& rows,
-                     FeatureMap* features)
+                     int band, FeatureMap* features)
 {
     const Mat &color = frame.color, &depth = frame.depth;
     if (level == 0)
@@ -281,10 +287,21 @@ static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& leve
         return;
     }
     const BlockGrid grid = levels.grid(level, color.size());
-    if (levels.ratio(level) == 3)
-        thirdFeatures(features[level - 1], grid, !depth.empty(), rows, features[level]);
-    else
-        halveFeatures(features[level - 1], grid, !depth.empty(), level == 1, rows, features[level]);
+    const auto makeBlocks = levels.ratio(level) == 3 ? thirdFeatures : halveFeatures;
+    std::vector<LostDepth>& lost_depths = features[level].lost_depths[band];
+    lost_depths.clear();
+    makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level], lost_depths);
+}
+
+void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions& regions)
+{
+    for (const std::vector<LostDepth>& band : blocks.lost_depths)
+        for (const LostDepth& lost : band)
+        {
+            const int label = labels.row(lost.block.y)[lost.block.x];
+            if (label >= 0)
+                regions.sums[label].depth += lost.sum;
+        }
 }
 
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
@@ -293,7 +310,10 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
     createLevels(frame, levels, features);
     const int BAND_HEIGHT = 24; // about, while its rows are in the cache
     const int height = BAND_HEIGHT / levels.side(levels.top), num_rows = features[levels.top].size().height;
-    parallel_for_(Range(0, (num_rows + height - 1) / height), [&](const Range& range)
+    const int num_bands = (num_rows + height - 1) / height;
+    for (int level = 1; level <= levels.top; level++)
+        features[level].lost_depths.resize(num_bands);
+    parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
         {
@@ -305,7 +325,7 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
                 rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
             }
             for (int level = 0; level <= levels.top; level++)
-                makeRows(frame, lab_input, levels, level, rows[level], features);
+                makeRows(frame, lab_input, levels, level, rows[level], i, features);
         }
     });
 }

@@ -8,6 +8,7 @@
 #include "rgwatershed/block_grid.hpp"
 #include "shared/features.hpp"
 #include "shared/frame.hpp"
+#include "shared/regions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -36,9 +37,13 @@ struct BlockLevels
 };
 
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
-//! where some of them are missing, the last one stands for them.
+//! where some of them are missing, the last one stands for them. At a step, its depth is that of one side.
 //! Normals, if there are any, are those of blocks of 2x2 pixels; larger blocks have their means.
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features);
+
+//! Adds to the sums of regions of blocks, divided, what the depths of blocks at a step leave out: the other side of it.
+//! Then they are the sums over the elements, which move to other regions one by one.
+void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions& regions);
 
 }}} // namespace
 

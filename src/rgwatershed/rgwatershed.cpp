@@ -166,6 +166,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
 void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 {
     regions_.divideBlocks(plan.levels.ratio(level + 1));
+    addLostDepths(features_[level + 1], labels_[level + 1], regions_);
     if (frame.mask.empty())
         return;
     spreadLabels(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()), features_[level].size(),
