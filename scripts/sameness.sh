@@ -15,7 +15,8 @@ build_module() { # NAME COMPILER FLAGS INCLUDES...
     say "building the module, $1"
     mkdir -p "$place/$1"
     (cd "$place/$1" && find "$root/src" -name '*.cpp' -print0 |
-        xargs -0 -n 1 -P "$(nproc)" "$2" -std=c++11 -fPIC -ffp-contract=off $3 -I"$root/include" -I"$root/src" "${@:4}" -c &&
+        xargs -0 -n 1 -P "$(nproc)" "$2" -std=c++11 -fPIC -ffp-contract=off $3 -I"$root/include" -I"$root/src" \
+            "${@:4}" -c &&
         "$2" -shared *.o -o libgwatershed.so) || fail "the build failed"
 }
 

@@ -289,6 +289,18 @@ int numberOfLabels(const Mat& labels)
     return int(largest) + 1;
 }
 
+double purity(const Mat& labels, int number, const Mat& mask)
+{
+    std::vector<int> inside(number, 0), outside(number, 0);
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            (mask.at<uchar>(y, x) ? inside : outside)[labels.at<int>(y, x)]++;
+    double pure = 0;
+    for (int i = 0; i < number; i++)
+        pure += std::max(inside[i], outside[i]);
+    return pure / double(labels.total());
+}
+
 double explainedVariation(const Mat& labels, const Mat& image)
 {
     const int n = numberOfLabels(labels);

@@ -44,6 +44,9 @@ Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws);
 Mat segment(InputArray image, int algorithm, int region_size);
 Mat segment(InputArray image, InputArray depth, int algorithm, int region_size);
 
+//! Share of the pixels that are in a superpixel whose most pixels are on their side of a mask.
+double purity(const Mat& labels, int number, const Mat& mask);
+
 //! Number of 4-connected pieces of equal label.
 int countPieces(const Mat& labels);
 //! All pixels labelled, labels 0..N-1 without gaps, each of them one 4-connected piece.

@@ -44,19 +44,6 @@ static Ptr<SuperpixelGWatershed> segment(const Mat& image, const Mat& depth, int
 
 static Mat gray() { return Mat(SIZE, CV_8UC3, Scalar::all(120)); }
 
-//! Share of the pixels that are in a superpixel whose most pixels are on their side of a mask.
-static double purity(const Mat& labels, int number, const Mat& mask)
-{
-    std::vector<int> inside(number, 0), outside(number, 0);
-    for (int y = 0; y < labels.rows; y++)
-        for (int x = 0; x < labels.cols; x++)
-            (mask.at<uchar>(y, x) ? inside : outside)[labels.at<int>(y, x)]++;
-    double pure = 0;
-    for (int i = 0; i < number; i++)
-        pure += std::max(inside[i], outside[i]);
-    return pure / double(labels.total());
-}
-
 TEST(ximgproc_GWatershed_surfaces, planes_seen_at_an_angle_are_as_compact_as_frontal_ones)
 {
     const double slopes[][2] = { { 0, 0.6 }, { 0.6, 0 }, { 0.4, 0.4 }, { 0, 1.2 }, { 1, 0 } };

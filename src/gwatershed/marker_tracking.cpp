@@ -49,7 +49,7 @@ void trackMarkers(const Mat& gradient, const Mat& labels, bool masked, MarkerBuf
     listPoints(labels, 0, n, buffers);
     for (int i = 0; i < n; i++)
         markers[i] = findMarkerInRegion(gradient, buffers.points.begin() + buffers.starts[i],
-                                buffers.points.begin() + buffers.starts[i + 1], 4);
+                                        buffers.points.begin() + buffers.starts[i + 1], 4);
     if (!masked) // in a mask, a small region may be a component of its own
         exchangeMarkers(gradient, buffers, markers);
 }

@@ -50,9 +50,9 @@ private:
     std::vector<int> next_;  // chunk in the chain, for each chunk
     int free_;               // first of the chain of those that no queue has
     int priority_;
-    int num_used_;           // queues that are not empty
-    int first_[PRIORITIES];  // chunk of each of them
-    int ends_[PRIORITIES];   // behind its last item, in items_; 0 if it is empty
+    int num_used_;          // queues that are not empty
+    int first_[PRIORITIES]; // chunk of each of them
+    int ends_[PRIORITIES];  // behind its last item, in items_; 0 if it is empty
 };
 
 }}} // namespace

@@ -79,7 +79,7 @@ void placeInRegion(const Mat& gradient, PointIterator begin, PointIterator end, 
         const int64 row_area = int64(row.size()), cells = last - first;
         for (int64 k = 0; k < cells; k++)
             markers.push_back(findMarkerInRegion(gradient, row.begin() + row_area * k / cells,
-                                         row.begin() + row_area * (k + 1) / cells, 2));
+                                                 row.begin() + row_area * (k + 1) / cells, 2));
     }
 }
 

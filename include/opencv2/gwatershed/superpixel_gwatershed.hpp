@@ -94,8 +94,8 @@ Algorithm::load(). read() throws, and changes nothing, if one is missing or out 
 segmentation, the image of the factory, the mask, the markers and the buffers, and keeps the parameters. empty() is true
 while there is no segmentation.
 
-**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and two in
-mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 700 bytes for each
+**Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and one to
+three in mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 730 bytes for each
 superpixel that mergeSimilar() needs while it runs.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
