@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "segmenter.hpp"
 #include "conversion.hpp"
-#include "depth_scale.hpp"
+#include "depth/depth_scale.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/user_markers.hpp"
 

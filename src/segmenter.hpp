@@ -5,10 +5,10 @@
 #ifndef OPENCV_GWATERSHED_SEGMENTER_HPP
 #define OPENCV_GWATERSHED_SEGMENTER_HPP
 
+#include "depth/surface.hpp"
 #include "gwatershed/gwatershed.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "segmentation.hpp"
-#include "surface.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

@@ -9,21 +9,15 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Whether a value of a depth map is a depth that was measured: 0 and what is below, NaN and, in 16 bits, 65535 are
-//! missing; infinity is farther than can be measured. Doubles are what they are as floats.
-inline bool isValidDepth(uchar depth) { return depth != 0; }
-inline bool isValidDepth(ushort depth) { return depth != 0 && depth != 65535; }
-inline bool isValidDepth(short depth) { return depth > 0; }
+//! Whether a depth, as readDepths() gives it, was measured. Doubles are what they are as floats.
 inline bool isValidDepth(float depth) { return depth > 0 && depth <= FLT_MAX; }
 inline bool isValidDepth(double depth) { return depth <= FLT_MAX && float(depth) > 0; }
 
-//! Whether a value is farther than any depth that was measured.
-template <typename T> inline bool isFarDepth(T) { return false; }
+//! Whether it is farther than any depth that was measured.
 inline bool isFarDepth(float depth) { return depth > FLT_MAX; }
-inline bool isFarDepth(double depth) { return depth > FLT_MAX; }
 
-//! Reads a row of a depth map, with room for as many values. What is missing becomes 0, what is too far stays above
-//! FLT_MAX.
+//! Reads a row of a depth map, with room for as many values. What is missing becomes 0: what is 0 or below, NaN and, in
+//! 16 bits, 65535. What is farther than can be measured, as infinity, stays above FLT_MAX.
 template <typename Value> inline void readDepths(const Mat& row, Value* to)
 {
     Mat values(1, row.cols, DataType<Value>::type, to);

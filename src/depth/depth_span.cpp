@@ -3,7 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "depth_span.hpp"
+#include "depth/depth_sample.hpp"
+#include "depth/depth_span.hpp"
 #include "shared/valid_depth.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -50,9 +51,10 @@ static void removeExtremes(std::vector<float>& depths, DepthSpan& span)
 }
 
 //! The range of depths without outliers at each end. {0, 0} if there are not two depths.
-static DepthSpan spanOf(std::vector<float>& depths, bool has_infinite)
+static DepthSpan spanOf(DepthSample& sample)
 {
-    DepthSpan span = { { 0, 0 }, false, has_infinite };
+    std::vector<float>& depths = sample.depths;
+    DepthSpan span = { { 0, 0 }, false, sample.has_far };
     if (depths.empty())
         return span;
     removeExtremes(depths, span);
@@ -69,22 +71,6 @@ static DepthSpan spanOf(std::vector<float>& depths, bool has_infinite)
     if (range.first < range.last || span.nearer)
         span.range = range;
     return span;
-}
-
-//! The depths that one of each step pixels has that follow one another, without those that are missing; infinite ones
-//! are only noted.
-static std::vector<float> sampleDepths(const Mat& depth, int64 step, bool& has_infinite)
-{
-    const size_t size = depth.elemSize(), total = depth.total();
-    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
-    uchar* to = bytes.data();
-    visitSample(depth.size(), step, [&](int y, int x) { to = std::copy_n(depth.ptr(y, x), size, to); });
-    std::vector<float> depths(bytes.size() / size);
-    readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
-    has_infinite = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
-    depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
-                 depths.end());
-    return depths;
 }
 
 //! Whether two pixels have different depths; an infinite one differs from the others.
@@ -110,12 +96,11 @@ DepthSpan findSpan(const Mat& depth)
     const int64 MANY = 8192, ENOUGH = MANY / 2, total = int64(depth.rows) * depth.cols;
     for (int64 step = (total + MANY - 1) / MANY;;)
     {
-        bool has_infinite = false;
-        std::vector<float> depths = sampleDepths(depth, step, has_infinite);
-        int64 count = int64(depths.size());
+        DepthSample sample = sampleDepths(depth, step);
+        int64 count = int64(sample.depths.size());
         if (count >= ENOUGH || step == 1)
         {
-            const DepthSpan span = spanOf(depths, has_infinite);
+            const DepthSpan span = spanOf(sample);
             if (span.range.last > 0 || step == 1)
                 return span;
             count = 0;

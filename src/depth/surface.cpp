@@ -3,8 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "surface.hpp"
-#include "depth_span.hpp"
+#include "depth/surface.hpp"
+#include "depth/depth_rows.hpp"
+#include "depth/depth_span.hpp"
 #include "shared/features.hpp"
 #include "shared/valid_depth.hpp"
 #include "shared/vector_operators.hpp"
@@ -27,12 +28,6 @@ struct NearnessScale
     float horizon; //!< nearness of an infinite depth, not rounded
 };
 
-//! All bits where there is a depth.
-inline v_int32x4 hasDepth(const v_float32x4& depth)
-{
-    return isPositive(v_reinterpret_as_s32(depth));
-}
-
 //! Levels of four depths, 0 where depth is missing.
 //! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
 inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
@@ -41,24 +36,6 @@ inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
     const v_float32x4 level = add(v_setall_f32(scale.offset), divide(v_setall_f32(scale.slope), depth));
     const v_float32x4 within = v_min(v_max(level, v_setall_f32(FARTHEST)), v_setall_f32(NEAREST));
     return bitAnd(v_trunc(within), hasDepth(depth));
-}
-
-//! As readDepths(), of the usual type without a detour.
-void readRow(const Mat& row, float* to)
-{
-    const int AT_ONCE = 8, cols = row.depth() == CV_16U ? row.cols & -AT_ONCE : 0;
-    const ushort* from = row.ptr<ushort>();
-    const v_uint16x8 missing = v_setall_u16(USHRT_MAX);
-    for (int x = 0; x < cols; x += AT_ONCE)
-    {
-        const v_uint16x8 depths = v_load(from + x);
-        v_uint32x4 low, high;
-        v_expand(v_sub_wrap(depths, bitAnd(depths, equal(depths, missing))), low, high);
-        v_store(to + x, v_cvt_f32(v_reinterpret_as_s32(low)));
-        v_store(to + x + 4, v_cvt_f32(v_reinterpret_as_s32(high)));
-    }
-    if (cols < row.cols)
-        readDepths(row.colRange(cols, row.cols), to + cols);
 }
 
 //! The lowest and the highest level of some pixels that have depth.
@@ -85,26 +62,6 @@ struct LevelRange
         high = above;
     }
 };
-
-//! Behind the depths is room for a multiple of 16.
-void scaleRow(const float* depths, int cols, NearnessScale scale, uchar* nearness)
-{
-    const int AT_ONCE = 16;
-    int x = 0;
-    const auto levels = [&]()
-    {
-        const float* from = depths + x;
-        return v_pack_u(v_pack(levelsOf(from, scale), levelsOf(from + 4, scale)),
-                        v_pack(levelsOf(from + 8, scale), levelsOf(from + 12, scale)));
-    };
-    for (; x + AT_ONCE <= cols; x += AT_ONCE)
-        v_store(nearness + x, levels());
-    if (x == cols)
-        return;
-    uchar last[AT_ONCE];
-    v_store(last, levels());
-    std::copy(last, last + (cols - x), nearness + x);
-}
 
 //! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if fewer than two have, as where
 //! depth is a lattice of single pixels. Four blocks are done at once.
@@ -301,8 +258,9 @@ LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_dept
             for (int i = 0; i < std::min(2, depth.rows - 2 * y); i++)
             {
                 uchar* levels = nearness.ptr(2 * y + i);
-                readRow(depth.row(2 * y + i), pair[i].data());
-                scaleRow(pair[i].data(), depth.cols, scale, levels);
+                readDepthRow(depth.row(2 * y + i), pair[i].data());
+                writeLevels(pair[i].data(), depth.cols, [&](const float* from) { return levelsOf(from, scale); },
+                            levels);
                 ranges[y].add(levels, depth.cols);
             }
             invertRows(pair[0].data(), pair[1].data(), blocks, near_depth, inverses.ptr<short>(y + REACH) + REACH);
