@@ -20,6 +20,7 @@ struct Method
     String name;
     Work prepare; //!< what comes before, not timed
     Work run;
+    std::function<int()> count; //!< superpixels of the last run; may be empty
 };
 
 typedef std::vector<Method> Methods;
@@ -27,8 +28,9 @@ typedef std::vector<Method> Methods;
 void nothing(const Pictures&) {}
 
 /** Methods take turns, each on another picture, so that each of them finds caches full of what the others left, as in
-a program that does other things, too. The framework times the rounds. The median of each method, in milliseconds,
-becomes a property of the case in the report (--gtest_output=xml), and scripts/perf.sh makes a table of these. */
+a program that does other things, too. The framework times the rounds. The median of each method, in milliseconds, and
+the number of superpixels become properties of the case in the report (--gtest_output=xml), and scripts/perf.sh makes a
+table of these. */
 class Perf_Superpixels : public TestBaseWithParam<tuple<Size, int> >
 {
 protected:
@@ -49,7 +51,11 @@ protected:
             stopTimer();
         }
         for (size_t i = 0; i < methods.size(); i++)
+        {
             RecordProperty(methods[i].name, cv::format("%.4f", median(samples[i])));
+            if (methods[i].count)
+                RecordProperty(methods[i].name + "_superpixels", methods[i].count());
+        }
         setVerified(); // times only: the tests of accuracy are elsewhere
     }
 
@@ -82,13 +88,14 @@ Ptr<SuperpixelGWatershed> create(Size size, int num_superpixels, int algorithm)
 Method callOurs(const String& name, Size size, int region_size, int algorithm, int num_iterations)
 {
     const Ptr<SuperpixelGWatershed> gws = create(size, countSuperpixels(size, region_size), algorithm);
-    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), num_iterations); } };
+    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), num_iterations); },
+             [=]() { return gws->getNumberOfSuperpixels(); } };
 }
 
 Method callOursWithDepth(const String& name, Size size, int region_size)
 {
     const Ptr<SuperpixelGWatershed> gws = create(size, countSuperpixels(size, region_size), RGWATERSHED);
-    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), p.depth()); } };
+    return { name, nothing, [=](const Pictures& p) { gws->iterate(p.image(), p.depth()); }, {} };
 }
 
 //! These are timed with all settings and peers.
@@ -115,7 +122,7 @@ void addWatershed(int region_size, Methods& methods)
     methods.push_back({ "watershed", [=](const Pictures& p)
     {
         *labels = makeGridMarkers(p.image().size(), region_size);
-    }, [=](const Pictures& p) { watershed(p.image(), *labels); } });
+    }, [=](const Pictures& p) { watershed(p.image(), *labels); }, {} });
 }
 
 #ifdef GWATERSHED_HAVE_XIMGPROC
@@ -132,7 +139,8 @@ Mat convertToLab(const Mat& image)
 void addScanSegment(Size size, int region_size, Methods& methods)
 {
     const Ptr<ScanSegment> scan = createScanSegment(size.width, size.height, countSuperpixels(size, region_size));
-    methods.push_back({ "ScanSegment", nothing, [=](const Pictures& p) { scan->iterate(convertToLab(p.image())); } });
+    methods.push_back({ "ScanSegment", nothing, [=](const Pictures& p) { scan->iterate(convertToLab(p.image())); },
+                        [=]() { return scan->getNumberOfSuperpixels(); } }); // 0: it fails, and all labels are -1
 }
 
 void addSEEDS(Size size, int region_size, Methods& methods)
@@ -140,7 +148,8 @@ void addSEEDS(Size size, int region_size, Methods& methods)
     const int LEVELS = 4;
     const Ptr<SuperpixelSEEDS> seeds =
             createSuperpixelSEEDS(size.width, size.height, 3, countSuperpixels(size, region_size), LEVELS);
-    methods.push_back({ "SEEDS", nothing, [=](const Pictures& p) { seeds->iterate(convertToLab(p.image())); } });
+    methods.push_back({ "SEEDS", nothing, [=](const Pictures& p) { seeds->iterate(convertToLab(p.image())); },
+                        [=]() { return seeds->getNumberOfSuperpixels(); } });
 }
 
 void addSLIC(int region_size, Methods& methods)
@@ -152,7 +161,7 @@ void addSLIC(int region_size, Methods& methods)
         const Ptr<SuperpixelSLIC> slic = createSuperpixelSLIC(convertToLab(blurred), SLIC, region_size, 10.f);
         slic->iterate(10);
         slic->enforceLabelConnectivity(25);
-    } });
+    }, {} });
 }
 
 #endif // GWATERSHED_HAVE_XIMGPROC
@@ -193,8 +202,8 @@ PERF_TEST_P(Perf_Superpixels, merge_similar, testing::Combine(testing::Values(sz
     Pictures pictures(size);
     const Ptr<SuperpixelGWatershed> gws = create(size, number, RGWATERSHED);
     const Work iterate = [=](const Pictures& p) { gws->iterate(p.image()); };
-    takeTurns({ { "RGWATERSHED", nothing, iterate },
-                { "mergeSimilar", iterate, [=](const Pictures&) { gws->mergeSimilar(number / 4); } } }, pictures);
+    takeTurns({ { "RGWATERSHED", nothing, iterate, {} },
+                { "mergeSimilar", iterate, [=](const Pictures&) { gws->mergeSimilar(number / 4); }, {} } }, pictures);
 }
 
 }} // namespace

@@ -14,7 +14,8 @@ PEERS = ["ScanSegment", "SLIC", "SEEDS", "watershed"]
 
 
 def read(file):
-    """Median milliseconds by method, width and region_size, or number of superpixels in the case of merging."""
+    """Median milliseconds by method, width and region_size, or number of superpixels in the case of merging; also the
+    numbers of superpixels, by the method with "_superpixels" behind it."""
     times = {}
     for case in ElementTree.parse(file).iter("testcase"):
         if not case.get("classname").startswith("Perf_Superpixels"):
@@ -30,12 +31,13 @@ def read(file):
 
 
 def ratio(a, b):
-    return a / b if a and b else None
+    return a / b if a is not None and b else None
 
 
 def print_row(name, values, width=8, digits=2):
-    if any(values):
-        print(NAME % name + "".join("%*s" % (width, "%.*f" % (digits, value) if value else "-") for value in values))
+    if any(value is not None for value in values):
+        print(NAME % name + "".join("%*s" % (width, "-" if value is None else "%.*f" % (digits, value))
+                                    for value in values))
 
 
 def print_size(size, one, two):
@@ -53,6 +55,9 @@ def print_size(size, one, two):
         print_ratios("%s / RGWATERSHED" % peer, row(one, peer), row(one, "RGWATERSHED"))
     for peer in PEERS:
         print_ratios("the same, two threads: %s" % peer, row(two, peer), row(two, "RGWATERSHED"))
+    for peer in PEERS:
+        print_ratios("superpixels of %s / asked for" % peer, row(one, peer + "_superpixels"),
+                     row(one, "RGWATERSHED_superpixels"))
     print_ratios("watershed / GWATERSHED", row(one, "watershed"), row(one, "GWATERSHED"))
     for method in "RGWATERSHED", "GWATERSHED":
         print_ratios("one thread / two: %s" % method, row(one, method), row(two, method))

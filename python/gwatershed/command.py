@@ -273,7 +273,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
     try:
         import PIL  # noqa: F401
     except ImportError:
-        print("gwatershed: the command needs Pillow: pip install gwatershed[command], or python3-pil", file=sys.stderr)
+        print("gwatershed: the command needs Pillow: python3-pil, or pip install '.[command]' in the folder of gwatershed",
+              file=sys.stderr)
         return 1
     try:
         return process_all(parsed)

@@ -56,8 +56,8 @@ class ValuesTest(TilesCase):
             with mock.patch.dict(sys.modules, {package: None}):
                 code, _, errors = call(command.main, self.path(image), self.path(output), "--scheduler", scheduler)
             self.assertEqual(code, 1)
-            self.assertEqual(errors, "gwatershed-tiles: this needs %s: pip install gwatershed[tiles], or python3-%s\n"
-                             % (package, package))
+            self.assertEqual(errors, "gwatershed-tiles: this needs %s: python3-%s, or pip install '.[tiles]' in the folder "
+                             "of gwatershed\n" % (package, package))
             self.assertEqual(os.listdir(self.folder.name), ["image.zarr"])
 
     def test_folders_that_are_no_array(self):

@@ -72,8 +72,9 @@ setBorderThreshold(). If there are more, choose some by cv::extractChannel(), or
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
 negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else, or
-as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth, as monocular networks give
-it, is 0 where it is farthest, so add 1 to it. Depth that is missing or the same everywhere changes nothing.
+as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth of a monocular network is 0
+where it is farthest: add a little to it, and unless it has 8 bits set setNormalWeight(0). Depth that is missing or the
+same everywhere changes nothing.
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
@@ -344,14 +345,13 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | larger blocks, fewer markers | 0.9 | 0.068 |
+    | 0 | fewer markers; below 14x14 pixels larger blocks, too | 0.85 | 0.068 |
     | 1 | as the class documentation says | 1 | 0.064 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
     | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
 
-    Time is relative to 1. Superpixels of 5x5 pixels and fewer take up to 18 times that of 1 with 2 and 3, in noise
-    those of up to 6x6 pixels with 3.
-    UE is the undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
+    Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is the
+    undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
     (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
@@ -381,7 +381,7 @@ public:
     /** @brief Sets whether superpixels keep their labels from frame to frame.
     @param temporal If false, the default, each frame is segmented by itself. If true, each iterate() of an
     image continues the last segmentation: a superpixel keeps its label as long as it can be followed, over
-    motions of a few pixels from frame to frame.
+    motions of less than a quarter of its side from frame to frame.
 
     RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
     when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
@@ -411,7 +411,7 @@ public:
     1000 at each end span less than a sixteenth of it (not for CV_8U), and always for CV_16S and CV_32S, the range
     is that of the finite values of the frame, or of a sample, without one in 1000 at each end.
     @note The range may change from frame to frame. For a video set it, for example to 0 and 4095 for 12 bits. Set it
-    also for a sensor with more than one saturated pixel in 1000, and for 8 bits and floats that use a small part. */
+    also where more than one pixel in 1000 is saturated, for 8 bits of few values, and floats of a small range. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
     /** @brief The value that becomes 0, or 0 if the range is automatic. @see setValueRange */
     CV_WRAP virtual float getLowValue() const = 0;

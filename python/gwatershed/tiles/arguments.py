@@ -50,7 +50,7 @@ def check_packages(names: Sequence[str], scheduler: Any) -> None:
               "distributed": isinstance(scheduler, str) and scheduler not in SCHEDULERS}
     for package, is_needed in needed.items():
         if is_needed and importlib.util.find_spec(package) is None:
-            raise ModuleNotFoundError("this needs %s: pip install gwatershed[tiles], or python3-%s"
+            raise ModuleNotFoundError("this needs %s: python3-%s, or pip install '.[tiles]' in the folder of gwatershed"
                                       % (package, package))
 
 
