@@ -29,4 +29,34 @@ TEST(ximgproc_GWatershed_depth_steps, few_pixels_are_on_the_wrong_side)
     EXPECT_LT(wrong, images);
 }
 
+// What is farther than a range that was set is at its far end, and so is infinity; what is nearer is at its near end.
+TEST(ximgproc_GWatershed_depth_steps, what_lies_beyond_a_range_is_at_its_end)
+{
+    RNG& rng = theRNG();
+    const Size size(160, 120);
+    for (int i = 0; i < 60; i++)
+    {
+        const float near_depth = i % 3 ? 0.5f : 0, far_depth = 3;
+        const Mat image = makeScene(size, rng);
+        Mat depth(size, CV_32FC1);
+        for (int y = 0; y < size.height; y++)
+            for (int x = 0; x < size.width; x++)
+                depth.at<float>(y, x) = float(1 + 0.004 * x + 0.002 * y);
+        Mat beyond = depth.clone(), clipped;
+        const Range columns(rng.uniform(40, 80), rng.uniform(100, 160)), rows(rng.uniform(0, 40), rng.uniform(60, 120));
+        for (int y = rows.start; y < rows.end; y++) // two walls that meet
+            for (int x = columns.start; x < columns.end; x++)
+                beyond.at<float>(y, x) = i % 4 ? float(4 + 0.1 * std::abs(x - 90)) : INFINITE;
+        beyond.colRange(0, 8).setTo(Scalar(0.2));
+        cv::min(beyond, Scalar(far_depth), clipped);
+        cv::max(clipped, Scalar(near_depth), clipped);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 12);
+        gws->setDepthRange(near_depth, far_depth);
+        gws->iterate(image, beyond);
+        const Mat labels = labelsOf(gws);
+        gws->iterate(image, clipped);
+        EXPECT_TRUE(equalMats(labelsOf(gws), labels)) << i;
+    }
+}
+
 }} // namespace

@@ -166,6 +166,56 @@ TEST_P(ximgproc_GWatershed_markers, effort_has_no_effect)
     }
 }
 
+// A marker of one pixel begins with the noise of that, and still gets its share.
+TEST_P(ximgproc_GWatershed_markers, many_points_in_noise_share_the_image)
+{
+    const Size size(512, 480);
+    Mat image(size, CV_8UC3), noise(size, CV_8SC3), markers = Mat::zeros(size, CV_32SC1);
+    theRNG().fill(noise, RNG::NORMAL, 0, 5);
+    cv::add(Mat(size, CV_8UC3, Scalar(90, 80, 70)), noise, image, noArray(), CV_8U);
+    int count = 0;
+    for (int y = 10; y < size.height; y += 20)
+        for (int x = 10; x < size.width; x += 20)
+            markers.at<int>(y, x) = ++count;
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->setMarkers(markers);
+    gws->iterate();
+    Mat stats;
+    gws->getStatistics(noArray(), noArray(), stats, noArray());
+    const Mat areas = stats.col(CC_STAT_AREA);
+    const double mean = double(size.area()) / count;
+    double largest;
+    minMaxLoc(areas, 0, &largest);
+    EXPECT_LT(largest, 4 * mean);
+    EXPECT_LT(countNonZero(areas < mean / 20), count / 4);
+}
+
+//! The share of a disc, and of what is in the superpixel of its marker, that is in both. Before a background of two
+//! colours, of which the disc has the mean, with num_markers for it.
+double overlapWithDisc(int algorithm, int num_markers)
+{
+    Mat image(120, 160, CV_8UC1, Scalar(60)), disc = Mat::zeros(image.size(), CV_8UC1);
+    image.colRange(80, 160).setTo(Scalar(180));
+    circle(disc, Point(80, 60), 30, Scalar(255), FILLED);
+    image.setTo(Scalar(120), disc);
+    Mat markers = Mat::zeros(image.size(), CV_32SC1);
+    rectangle(markers, Rect(Point(), image.size()), Scalar(2), 3);
+    if (num_markers == 2)
+        markers.colRange(80, 160).setTo(Scalar(3), markers.colRange(80, 160) > 0);
+    circle(markers, Point(80, 60), 8, Scalar(1), FILLED);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, algorithm);
+    gws->setMarkers(markers);
+    gws->iterate();
+    const Mat found = labelsOf(gws) == 0;
+    return double(countNonZero(found & disc)) / countNonZero(found | disc);
+}
+
+TEST(ximgproc_GWatershed_two_markers, separate_an_object_from_its_background)
+{
+    EXPECT_GT(overlapWithDisc(GWATERSHED, 1), 0.95);
+    EXPECT_GT(overlapWithDisc(RGWATERSHED, 2), 0.95); // it compares with the mean of the whole marker
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_markers, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

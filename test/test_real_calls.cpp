@@ -160,6 +160,28 @@ TEST_P(ximgproc_GWatershed_real_calls, superpixels_below_an_area_in_pixels)
     EXPECT_TRUE(isRefused([&] { gws->mergeSmall(-1); }, "min_area"));
 }
 
+// What has grown has the longest boundary with all around it, but does not swallow an even area.
+TEST_P(ximgproc_GWatershed_real_calls, small_superpixels_of_an_even_area_are_not_merged_into_one)
+{
+    const Size size(640, 480);
+    for (const int& noise : { 0, 1, 2 })
+        for (const int& side : { 8, 10, 16, 20, 25 })
+        {
+            Mat image(size, CV_8UC1), changes(size, CV_8SC1);
+            theRNG().fill(changes, RNG::NORMAL, 0, noise);
+            cv::add(Mat(size, CV_8UC1, Scalar(120)), changes, image, noArray(), CV_8U);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), side);
+            gws->iterate();
+            const int least = side * side * 5 / 4;
+            gws->mergeSmall(least);
+            Mat stats;
+            gws->getStatistics(noArray(), noArray(), stats, noArray());
+            double largest;
+            minMaxLoc(stats.col(CC_STAT_AREA), 0, &largest);
+            EXPECT_LE(largest, 8 * least) << noise << ", " << side;
+        }
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_real_calls, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

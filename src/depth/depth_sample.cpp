@@ -8,7 +8,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-DepthSample sampleDepths(const Mat& depth, int64 step)
+DepthSample sampleDepths(const Mat& depth, int64 step, float farthest)
 {
     const size_t size = depth.elemSize(), total = depth.total();
     std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
@@ -18,6 +18,8 @@ DepthSample sampleDepths(const Mat& depth, int64 step)
     std::vector<float>& depths = sample.depths;
     depths.resize(bytes.size() / size);
     readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
+    for (float& value : depths)
+        value = std::min(value, farthest);
     sample.has_far = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
     depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
                  depths.end());

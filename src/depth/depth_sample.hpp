@@ -16,8 +16,8 @@ struct DepthSample
     bool has_far;              //!< some are infinite
 };
 
-//! A sample with one of each `step` pixels that follow one another.
-DepthSample sampleDepths(const Mat& depth, int64 step);
+//! A sample with one of each `step` pixels that follow one another. What is farther than a limit becomes the limit.
+DepthSample sampleDepths(const Mat& depth, int64 step, float farthest = std::numeric_limits<float>::infinity());
 
 }}} // namespace
 

@@ -74,15 +74,16 @@ static DepthSpan spanOf(DepthSample& sample)
 }
 
 //! Whether two pixels have different depths; an infinite one differs from the others.
-static bool hasTwoDepths(const Mat& depth)
+static bool hasTwoDepths(const Mat& depth, float farthest)
 {
     std::vector<float> row(depth.cols);
     float known = 0;
     for (int y = 0; y < depth.rows; y++)
     {
         readDepths(depth.row(y), row.data());
-        for (float value : row)
+        for (float any : row)
         {
+            const float value = std::min(any, farthest);
             if (value > 0 && known > 0 && value != known)
                 return true;
             known = std::max(known, value);
@@ -91,12 +92,12 @@ static bool hasTwoDepths(const Mat& depth)
     return false;
 }
 
-DepthSpan findSpan(const Mat& depth)
+DepthSpan findSpan(const Mat& depth, float farthest)
 {
     const int64 MANY = 8192, ENOUGH = MANY / 2, total = int64(depth.rows) * depth.cols;
     for (int64 step = (total + MANY - 1) / MANY;;)
     {
-        DepthSample sample = sampleDepths(depth, step);
+        DepthSample sample = sampleDepths(depth, step, farthest);
         int64 count = int64(sample.depths.size());
         if (count >= ENOUGH || step == 1)
         {
@@ -106,7 +107,7 @@ DepthSpan findSpan(const Mat& depth)
             count = 0;
         }
         step = std::max<int64>(step * count / MANY, 1);
-        if (step == 1 && !hasTwoDepths(depth))
+        if (step == 1 && !hasTwoDepths(depth, farthest))
             return DepthSpan();
     }
 }

@@ -241,8 +241,16 @@ NearnessScale scaleOf(const DepthSpan& span)
     return scale;
 }
 
-//! Nearness of all pixels, and inverse depths of all blocks. Returns the levels that there are.
-LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_depth, Mat& nearness, Mat& inverses)
+//! What was measured becomes a depth of the range.
+void clipRow(FloatRange range, std::vector<float>& depths)
+{
+    for (float& depth : depths)
+        depth = depth > 0 ? std::min(std::max(depth, range.first), range.last) : depth;
+}
+
+//! Nearness of all pixels, and inverse depths of all blocks, within limits. Returns the levels that there are.
+LevelRange scaleAndInvert(const Mat& depth, FloatRange limits, NearnessScale scale, float near_depth, Mat& nearness,
+                          Mat& inverses)
 {
     const int blocks = (depth.cols + 1) / 2;
     std::vector<LevelRange> ranges((depth.rows + 1) / 2);
@@ -259,6 +267,8 @@ LevelRange scaleAndInvert(const Mat& depth, NearnessScale scale, float near_dept
             {
                 uchar* levels = nearness.ptr(2 * y + i);
                 readDepthRow(depth.row(2 * y + i), pair[i].data());
+                if (limits.last <= FLT_MAX)
+                    clipRow(limits, pair[i]);
                 writeLevels(pair[i].data(), depth.cols, [&](const float* from) { return levelsOf(from, scale); },
                             levels);
                 ranges[y].add(levels, depth.cols);
@@ -307,10 +317,12 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
 {
     CV_TRACE_FUNCTION();
     nearness = normals = Mat();
-    DepthSpan span = findSpan(depth);
+    const bool is_set = range.last > 0;
+    const FloatRange limits = { range.first, is_set ? range.last : std::numeric_limits<float>::infinity() };
+    DepthSpan span = findSpan(depth, limits.last);
     if (span.range.last <= 0)
         return; // there are not two depths
-    if (range.last > 0)
+    if (is_set)
     {
         range.first = std::max(range.first, std::min(span.range.first, range.last) / 2);
         span = { range, false, false };
@@ -323,7 +335,8 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
     buffers.inverses.create(blocks.height + 2 * REACH, int(alignSize(blocks.width, BLOCKS_AT_ONCE)) + 2 * REACH,
                             CV_16SC1);
     buffers.inverses.setTo(Scalar(0));
-    const LevelRange levels = scaleAndInvert(depth, scale, span.range.first, buffers.nearness, buffers.inverses);
+    const LevelRange levels = scaleAndInvert(depth, limits, scale, span.range.first, buffers.nearness,
+                                             buffers.inverses);
     if (levels.low >= levels.high)
         return;
     nearness = buffers.nearness;

@@ -10,18 +10,21 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The neighbour with the longest common boundary; of equal ones the one with the lowest label. NONE without
-//! neighbours.
-static int closestNeighbor(RegionGraph& graph, int region)
+//! The neighbour with the longest common boundary for its size, by squared length over area; of equal ones the one with
+//! the lowest label. NONE without neighbours. By the length alone, what has grown would have the longest boundary with
+//! all around it, and swallow an even area.
+static int closestNeighbor(RegionGraph& graph, const std::vector<int>& areas, int region)
 {
-    int closest = RegionGraph::NONE, longest = 0;
+    int closest = RegionGraph::NONE;
+    double longest = 0;
     for (int i = graph.first(region); i != RegionGraph::NONE; i = graph.next(region, i))
     {
         const RegionGraph::Boundary& b = graph.boundaries()[i];
         const int neighbor = b.regions[!b.side(region)];
-        if (b.length > longest || (b.length == longest && neighbor < closest))
+        const double length = double(b.length) * b.length / areas[neighbor];
+        if (length > longest || (length == longest && neighbor < closest))
         {
-            longest = b.length;
+            longest = length;
             closest = neighbor;
         }
     }
@@ -45,7 +48,7 @@ int mergeSmallRegions(int num_labels, int min_area, Mat& labels)
             small.insert(std::make_pair(areas[i], i));
     while (!small.empty())
     {
-        const int from = small.begin()->second, to = closestNeighbor(graph, from);
+        const int from = small.begin()->second, to = closestNeighbor(graph, areas, from);
         small.erase(small.begin());
         if (to == RegionGraph::NONE)
             continue; // it has no neighbour

@@ -272,7 +272,24 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
     regions.update(Range(0, first));
 }
 
-void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
+//! Twice the centres of regions.
+static std::vector<Point> findMiddles(const Padded<int>& labels, const Regions& regions)
+{
+    std::vector<Vec2d> sums(regions.size(), Vec2d::all(0)); // of integers, so they are exact
+    for (int y = 0; y < labels.size().height; y++)
+    {
+        const int* row = labels.row(y);
+        for (int x = 0; x < labels.size().width; x++)
+            if (row[x] >= 0)
+                sums[row[x]] += Vec2d(2 * x, 2 * y);
+    }
+    std::vector<Point> middles(regions.size());
+    for (int i = 0; i < regions.size(); i++)
+        middles[i] = Point(cvRound(sums[i][0] / regions.sums[i].area), cvRound(sums[i][1] / regions.sums[i].area));
+    return middles;
+}
+
+void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, int ruler, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -288,12 +305,13 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
                                 row[x - step] == UNSEEN || row[x + step] == UNSEEN))
                 seeds.push_back(Point(x, y));
     }
-    const int NO_RULER = 0, ANY_AREA = INT_MAX;
+    const int ANY_AREA = INT_MAX;
+    const std::vector<Point> middles = ruler > 0 ? findMiddles(labels, regions) : std::vector<Point>(regions.size());
     buffers.regions.resize(regions.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
-        buffers.regions[i] = FloodRegion(regions.sums[i], Point(), Point());
-    floodRows(features, distance, NO_RULER, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
+        buffers.regions[i] = FloodRegion(regions.sums[i], Point(), middles[i]);
+    floodRows(features, distance, ruler, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
               buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;

@@ -79,8 +79,8 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
                      FloodBuffers& buffers, Padded<int>& labels, Regions& regions);
 
 //! Floods the UNSEEN pixels from the regions that are there, by their means; what none of them reaches
-//! stays UNSEEN.
-void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, FloodBuffers& buffers,
+//! stays UNSEEN. The ruler, 0 for none, counts from their centres.
+void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, int ruler, FloodBuffers& buffers,
                       Padded<int>& labels, Regions& regions);
 
 }}} // namespace

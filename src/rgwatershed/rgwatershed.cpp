@@ -124,6 +124,18 @@ void RGWatershed::merge(const Plan& plan, int level, int num_regions, const Merg
         merge_buffers = MergeBuffers();
 }
 
+//! Many small markers are seeds of superpixels, as those of a grid, and have a ruler as these: one that begins with the
+//! noise of its pixel would get nothing. A few are drawn on things of any size, and have none.
+static int rulerOfMarkers(const Frame& frame, const Plan& plan, const Regions& regions)
+{
+    const int MANY = 32, SMALL = 8; // so many of one cover the share of one superpixel at most
+    int largest = 0;
+    for (const RegionSum& sum : regions.sums)
+        largest = std::max(largest, sum.area);
+    const bool are_seeds = regions.size() >= MANY && double(largest) * SMALL * regions.size() <= frame.num_pixels;
+    return are_seeds ? plan.floodRuler(frame.num_pixels, regions.size()) : 0;
+}
+
 //! The markers of the user are regions from the start; what none of them reaches is no superpixel.
 void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
 {
@@ -132,7 +144,8 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     frame.markers.copyTo(labels_[0].view(), frame.markers >= 0);
     regions_.resize(frame.num_superpixels);
     measureRegions(features_[0], labels_[0].view(), regions_);
-    floodFromRegions(features_[0], plan.sweep.distance, flood_buffers_, labels_[0], regions_);
+    const int ruler = rulerOfMarkers(frame, plan, regions_);
+    floodFromRegions(features_[0], plan.sweep.distance, ruler, flood_buffers_, labels_[0], regions_);
     if (!frame.mask.empty())
         closeUnseen(labels_[0]);
 }
@@ -172,7 +185,8 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     spreadLabels(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()), features_[level].size(),
                  labels_[level]);
     openUnlabelled(masks_.mask(level), labels_[level]);
-    floodFromRegions(features_[level], plan.sweep.distance, flood_buffers_, labels_[level], regions_);
+    const int NO_RULER = 0;
+    floodFromRegions(features_[level], plan.sweep.distance, NO_RULER, flood_buffers_, labels_[level], regions_);
     if (level > 0)
     {
         closeUnseen(labels_[level]);

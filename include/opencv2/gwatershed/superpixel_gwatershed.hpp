@@ -62,19 +62,19 @@ a superpixel. The result depends on the image, the depth and the parameters only
 threads, in every run, and for a submatrix and its clone. Exceptions, each described with its method: pixels without a
 label, which are -1 (setMask(), setMarkers()), and results that depend on earlier frames (setTemporal()).
 
-**Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored.
-The image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so
-give it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two
-channels count alike in RGWATERSHED, up to rounding; the gradient of GWATERSHED is one of grey, which weighs them, see
-setBorderThreshold(). If there are more, choose some by cv::extractChannel(), or reduce them by cv::PCA. Images have
-(width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
+**Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored. The
+image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so give
+it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two channels
+count alike in RGWATERSHED, up to rounding, which moves some boundaries; the gradient of GWATERSHED is one of grey,
+which weighs them, see setBorderThreshold(). If there are more, choose some by cv::extractChannel(), or reduce them by
+cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
-CV_16SC1 (as the disparity of cv::StereoSGBM) or CV_8UC1 (already scaled, unless a range is set). Where it is 0,
-negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than all else, or
-as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth of a monocular network is 0
-where it is farthest: add a little to it, and unless it has 8 bits set setNormalWeight(0). Depth that is missing or the
-same everywhere changes nothing.
+CV_16SC1 (the disparity of cv::StereoSGBM, with minDisparity 0) or CV_8UC1 (already scaled, unless a range is set).
+Where it is 0, negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than
+all else, or as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth of a monocular
+network is 0 where it is farthest: add a little to it, and unless it has 8 bits set setNormalWeight(0). Depth that is
+missing or the same everywhere changes nothing.
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
@@ -155,8 +155,8 @@ public:
 
     @param image CV_8UC1 mask of the size of the image: 255 on contours, 0 elsewhere.
     @param thick_line If true, a pixel is on a contour if one of its 4 neighbours has another label: lines are two
-    pixels wide. If false, if its right or lower neighbour has: lines are one pixel wide, and are part of the thick
-    ones. There is no contour at the border of the image, nor beside pixels without a label.
+    pixels wide (those of SLIC and SEEDS are one). If false, if its right or lower neighbour has: lines are one pixel
+    wide, and part of the thick ones. There is no contour at the border of the image, nor beside pixels without label.
 
     Throws cv::Exception before the first iterate().
     */
@@ -174,8 +174,8 @@ public:
 
     /** @brief Merges superpixels that are too small into a neighbour.
 
-    Superpixels are connected without this call. The smallest superpixel is merged first, into the neighbour
-    with the longest common boundary. N falls; labels are renumbered without gaps and keep their order.
+    Superpixels are connected without this call. The smallest superpixel is merged first, into the neighbour with the
+    longest common boundary for its size (squared length over area). N falls; labels keep their order, without gaps.
 
     @param min_element_size Smallest area allowed, in percent of the mean area (labelled pixels / N), in [0, 100]. 0
     merges nothing. A superpixel without a neighbour stays.
@@ -254,9 +254,9 @@ public:
     /** @brief Lists the superpixels that touch: the region adjacency graph.
 
     @param image Image of the size of the label map, of a type that iterate() takes, for the contrasts: the one that
-    was segmented, or another one. Empty (noArray(), None in Python): no contrasts.
-    @param depth Depth of that image; its range and alpha are those of the last iterate(). Empty: colour alone.
-    It must be empty if image is.
+    was segmented, or another one. Empty (noArray(), None in Python): no contrasts. It is reduced to 8 bits.
+    @param depth Depth of that image; empty: colour alone. It must be empty if image is. Value range, depth range and
+    alpha are those of the last iterate(); an automatic range is that of the image or depth given here.
     @param pairs M x 2 CV_32SC1: labels a < b of two superpixels that share a boundary (4-neighbours), in rows
     sorted by a, then b.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
@@ -294,9 +294,9 @@ public:
     N is the number of different positive values inside of the mask. Labels follow the order of the values; the number
     of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel. Markers may touch
     each other and the border of the image. A marker in several pieces makes a superpixel in several pieces, at most as
-    many. Pixels that no marker reaches, in other components of a mask, have the label -1; so have all pixels if there
-    is no marker. RGWATERSHED then floods pixels, not blocks, which takes longer; ruler and planes act in the sweeps
-    only, so give a large surface that is seen at an angle several markers.
+    many. What no marker reaches, in other components of a mask, has the label -1. RGWATERSHED floods pixels then, which
+    takes longer, and compares with the mean of a whole marker: give each colour of a background, and parts of a slanted
+    surface, markers of their own. Its flood has a ruler only if there are at least 32 markers, all of them points.
 
     @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of getLabels()).
     Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate() throws if the size differs.
@@ -406,7 +406,7 @@ public:
     @param low_value Value that becomes 0. Lower values and NaN become 0, too.
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both
     0, the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first
-    one that the values of the frame lie in, or 65535 if all are multiples of 257, as 8 bits that were spread over
+    one that holds all values but one in 1000, or 65535 if all are multiples of 257, as 8 bits that were spread over
     16; -128 to 127 for CV_8S, 0 to 1 for floats. If more than one value in 1000 is outside of it, or all but one in
     1000 at each end span less than a sixteenth of it (not for CV_8U), and always for CV_16S and CV_32S, the range
     is that of the finite values of the frame, or of a sample, without one in 1000 at each end.
