@@ -150,9 +150,7 @@ void Segmenter::buildHierarchy(Segmentation& result)
                                                              : rgwatershed_.features();
     result.hierarchy.build(features, floodDistance(used, result.with_depth, features.withNormals()),
                            result.labels(result.bounds), result.number, merge_buffers_);
-    // Kept where the segmentation keeps them: its own are as large.
-    if (used.algorithm == GWATERSHED ? hasLargeMergeBuffers(result.number, result.bounds.area())
-                                     : rgwatershed_.hasLargeMergeBuffers())
+    if (hasLargeMergeBuffers(result.number, result.bounds.area()))
         merge_buffers_ = MergeBuffers();
 }
 

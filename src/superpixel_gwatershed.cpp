@@ -156,7 +156,7 @@ public:
         const gws::Reading use(in_use_);
         checkSegmented();
         const Size size = result_.labels.size();
-        const Mat values = gws::checkValues(image, size), depths = gws::checkDepth(depth, size);
+        Mat values = gws::checkValues(image, size), depths = gws::checkDepth(depth, size);
         checkTable(stats, CV_32SC1, false, "stats");
         checkTable(centroids, CV_64FC1, false, "centroids");
         checkTable(mean_colors, CV_32FC1, values.channels() == 1, "mean_colors");
@@ -175,6 +175,8 @@ public:
         {
             gws::Statistics tables;
             gws::measureSuperpixels(result_.labels, result_.number, input, tables);
+            input = gws::StatisticsInput();
+            values = depths = Mat(); // a UMat of the caller may be an output, too
             giveAll({ { tables.stats, stats, "stats" }, { tables.centroids, centroids, "centroids" },
                       { tables.mean_colors, mean_colors, "mean_colors" },
                       { tables.mean_depths, mean_depths, "mean_depths" },
@@ -187,24 +189,25 @@ public:
     {
         const gws::Reading use(in_use_);
         checkSegmented();
-        const Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
+        Mat values = image.empty() ? Mat() : gws::checkImage(gws::checkValues(image, result_.labels.size()));
         if (image.empty() && !depth.empty())
             CV_Error(Error::StsBadArg, "depth must be empty where image is");
-        const Mat depths = gws::checkDepth(depth, result_.labels.size());
+        Mat depths = gws::checkDepth(depth, result_.labels.size());
         checkTable(pairs, CV_32SC1, false, "pairs");
         checkTable(lengths, CV_32SC1, true, "lengths");
         checkTable(contrasts, CV_32FC1, true, "contrasts");
         guardMemory([&]()
         {
             Mat converted, scaled, tables[3];
-            const Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
+            Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
             const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
             const gws::Parameters& used = result_.parameters;
-            const Mat color = values.empty() ? Mat()
-                                             : gws::convertInside(values(result_.bounds), mask_inside, used, converted);
-            gws::listAdjacency(result_.labels(result_.bounds), result_.number, color,
-                               gws::scaleInside(depth_inside, mask_inside, used, scaled), used.alphaWeight(), tables[0],
-                               tables[1], tables[2]);
+            Mat color = values.empty() ? Mat()
+                                       : gws::convertInside(values(result_.bounds), mask_inside, used, converted);
+            depth_inside = gws::scaleInside(depth_inside, mask_inside, used, scaled);
+            gws::listAdjacency(result_.labels(result_.bounds), result_.number, color, depth_inside, used.alphaWeight(),
+                               tables[0], tables[1], tables[2]);
+            values = depths = color = depth_inside = Mat(); // a UMat of the caller may be an output, too
             giveAll({ { tables[0], pairs, "pairs" }, { tables[1], lengths, "lengths" },
                       { tables[2], contrasts, "contrasts" } });
         });

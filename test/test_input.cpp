@@ -454,6 +454,21 @@ TEST_P(ximgproc_GWatershed_input, copies_no_float_image_with_few_numbers)
     EXPECT_LT(news.largest(), image.total() * image.elemSize() / 4);
 }
 
+// As that of a laser scanner.
+TEST_P(ximgproc_GWatershed_input, copies_no_depth_with_few_numbers)
+{
+    ThreadsGuard one(1);
+    RNG& rng = theRNG();
+    const Mat image = makeImage(FLAT, Size(1000, 1000), 1, rng);
+    Mat depth = Mat::zeros(image.size(), CV_32FC1);
+    for (int i = 0; i < 2000; i++)
+        depth.at<float>(rng.uniform(0, depth.rows), rng.uniform(0, depth.cols)) = rng.uniform(1.f, 3.f);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(1000, 1000, 1, 100, GetParam());
+    const NewRecorder news;
+    gws->iterate(image, depth);
+    EXPECT_LT(news.largest(), depth.total());
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_input, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

@@ -54,6 +54,26 @@ TEST_P(ximgproc_GWatershed_output, all_tables_are_written_or_none)
     EXPECT_EQ(Size(1, 1), pairs.size());
 }
 
+TEST_P(ximgproc_GWatershed_output, a_umat_may_be_input_and_output)
+{
+    RNG& rng = theRNG();
+    const Mat image = makeScene(Size(80, 60), rng), depth = makeDepth(image.size(), 0.1, rng);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+    gws->iterate();
+    Mat stats, centroids, colors, depths, pairs, lengths;
+    gws->getStatistics(image, depth, stats, centroids, colors, depths);
+    gws->getAdjacency(image, noArray(), pairs, lengths);
+    UMat ucolors, udepths, upairs;
+    image.copyTo(ucolors);
+    image.copyTo(upairs);
+    depth.copyTo(udepths);
+    gws->getStatistics(ucolors, udepths, stats, centroids, ucolors, udepths);
+    gws->getAdjacency(upairs, noArray(), upairs, lengths);
+    EXPECT_TRUE(equalMats(colors, ucolors.getMat(ACCESS_READ)));
+    EXPECT_EQ(0, cvtest::norm(pairs, upairs.getMat(ACCESS_READ), NORM_INF));
+    EXPECT_EQ(depths.size(), udepths.size());
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_output, testing::ValuesIn(ALGORITHMS));
 
 }} // namespace

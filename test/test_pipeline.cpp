@@ -352,6 +352,26 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_finds_what_is_alike)
     EXPECT_LT(wrong, 60);
 }
 
+// In noise, a boundary has as much contrast as all others: what tells the sides apart is their mean depth.
+TEST_P(ximgproc_GWatershed_pipeline, merging_finds_what_is_as_far)
+{
+    const Size size(160, 120);
+    const Mat image(size, CV_8UC3, Scalar::all(120));
+    Mat disc = Mat::zeros(size, CV_8UC1), depth(size, CV_16UC1, Scalar(1000)), noise(size, CV_16SC1);
+    ellipse(disc, Point(80, 60), Size(50, 35), 20, 0, 360, Scalar(1), FILLED);
+    depth.setTo(Scalar(1400), disc);
+    theRNG().fill(noise, RNG::NORMAL, 0, 90);
+    cv::add(depth, noise, depth, noArray(), CV_16U);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, GetParam(), 8);
+    gws->setNormalWeight(0);
+    gws->iterate();
+    for (int number : { 20, 5, 2 })
+    {
+        gws->mergeSimilar(number);
+        EXPECT_GT(purity(labelsOf(gws), number, disc), 0.99) << number;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_pipeline, merging_does_not_cross_the_outside)
 {
     RNG& rng = theRNG();
@@ -364,6 +384,28 @@ TEST_P(ximgproc_GWatershed_pipeline, merging_does_not_cross_the_outside)
         gws->mergeSimilar(1);
         EXPECT_EQ(countMaskPieces(mask), gws->getNumberOfSuperpixels());
         expectMaskedPartition(labelsOf(gws), mask, gws->getNumberOfSuperpixels());
+    }
+}
+
+// Iterations read the colours anew.
+TEST_P(ximgproc_GWatershed_pipeline, iterates_images_of_every_number_of_channels_alike)
+{
+    const Mat image = makeScene(Size(97, 61), theRNG());
+    Mat gray, three, four;
+    cvtColor(image, gray, COLOR_BGR2GRAY);
+    cvtColor(gray, three, COLOR_GRAY2BGR);
+    cvtColor(image, four, COLOR_BGR2BGRA);
+    const Mat pairs[2][2] = { { gray, three }, { image, four } };
+    for (const Mat (&pair)[2] : pairs)
+    {
+        Mat labels[2];
+        for (int i = 0; i < 2; i++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(pair[i], GetParam(), 9);
+            gws->iterate(4);
+            labels[i] = labelsOf(gws);
+        }
+        EXPECT_TRUE(equalMats(labels[0], labels[1])) << pair[0].channels();
     }
 }
 

@@ -79,7 +79,7 @@ TEST(ximgproc_GWatershed_surfaces, small_things_near_to_the_camera_are_cut_out)
 {
     for (int side : { 12, 16, 20, 24 })
     {
-        Mat depth(SIZE, CV_32FC1, Scalar(3500)), small = Mat::zeros(SIZE, CV_8UC1);
+        Mat depth(SIZE, CV_32FC1, Scalar(5000)), small = Mat::zeros(SIZE, CV_8UC1);
         depth(Rect(100, 80, 100, 60)).setTo(Scalar(3330)); // a large thing, and the small one on it
         const Rect place(140, 100, side, side);
         depth(place).setTo(Scalar(3245));

@@ -8,21 +8,34 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Some pixels at a time: where step is 1, all of them would be a second depth map.
 DepthSample sampleDepths(const Mat& depth, int64 step, float farthest)
 {
-    const size_t size = depth.elemSize(), total = depth.total();
-    std::vector<uchar> bytes((total + size_t(step) - 1) / size_t(step) * size);
-    uchar* to = bytes.data();
-    visitSample(depth.size(), step, [&](int y, int x) { to = std::copy_n(depth.ptr(y, x), size, to); });
-    DepthSample sample;
-    std::vector<float>& depths = sample.depths;
-    depths.resize(bytes.size() / size);
-    readDepths(Mat(1, int(depths.size()), depth.type(), bytes.data()), depths.data());
-    for (float& value : depths)
-        value = std::min(value, farthest);
-    sample.has_far = std::any_of(depths.begin(), depths.end(), [](float value) { return isFarDepth(value); });
-    depths.erase(std::remove_if(depths.begin(), depths.end(), [](float value) { return !isValidDepth(value); }),
-                 depths.end());
+    const size_t AT_ONCE = 4096, size = depth.elemSize();
+    std::vector<uchar> bytes;
+    std::vector<float> values(AT_ONCE);
+    DepthSample sample = { {}, false };
+    const auto take = [&]()
+    {
+        const int count = int(bytes.size() / size);
+        readDepths(Mat(1, count, depth.type(), bytes.data()), values.data());
+        for (int i = 0; i < count; i++)
+        {
+            const float value = std::min(values[i], farthest);
+            sample.has_far |= isFarDepth(value);
+            if (isValidDepth(value))
+                sample.depths.push_back(value);
+        }
+        bytes.clear();
+    };
+    visitSample(depth.size(), step, [&](int y, int x)
+    {
+        bytes.insert(bytes.end(), depth.ptr(y, x), depth.ptr(y, x) + size);
+        if (bytes.size() == AT_ONCE * size)
+            take();
+    });
+    if (!bytes.empty())
+        take();
     return sample;
 }
 

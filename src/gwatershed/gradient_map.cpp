@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "gwatershed/gradient_map.hpp"
 #include "shared/alpha.hpp"
-#include <opencv2/core/hal/intrin.hpp>
+#include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -29,7 +29,7 @@ static inline v_int16x8 loadGray(const uchar* gray) { return v_reinterpret_as_s1
 static inline v_int32x4 lengthOf(const v_int16x8& vectors)
 {
     const v_float32x4 length = v_sqrt(v_cvt_f32(v_dotprod(vectors, vectors)));
-    return v_trunc(v_muladd(length, v_setall_f32(1), v_setall_f32(0.5f)));
+    return v_trunc(add(length, v_setall_f32(0.5f)));
 }
 
 //! Sobel magnitude of 8 pixels; the rows begin at their neighbours to the upper left, left and lower left.

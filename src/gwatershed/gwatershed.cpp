@@ -57,9 +57,7 @@ FeatureMap GWatershed::features(bool lab_input) const
     features.create(color_.size(), Feature());
     parallel_for_(Range(0, color_.rows), [&](const Range& rows)
     {
-        for (int y = rows.start; y < rows.end; y++)
-            makeFeatureRow(color_.ptr(y), color_.channels(), lab_input, depth_.empty() ? 0 : depth_.ptr(y), color_.cols,
-                           features.row(y));
+        makeFeatures(color_, depth_, lab_input, rows, features);
     });
     return features;
 }

@@ -260,8 +260,12 @@ void BoundarySweeper::sweepAgain(int count, const FeatureMap& features, const Sw
                                  Padded<int>& labels, Regions& regions)
 {
     for (int i = 0; i < count && moved_; i++)
+    {
+        SweepRules now = rules;
+        now.last = rules.last && i + 1 == count;
         sweep([&](const Range& rows, BoundaryList& list) { listMarked(masks_, rows, marks_, list); }, features,
-              rules, labels, regions);
+              now, labels, regions);
+    }
 }
 
 void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const SweepRules& rules,

@@ -281,9 +281,7 @@ static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& leve
     const Mat &color = frame.color, &depth = frame.depth;
     if (level == 0)
     {
-        for (int y = rows.start; y < rows.end; y++)
-            makeFeatureRow(color.ptr(y), color.channels(), lab_input, depth.empty() ? 0 : depth.ptr(y), color.cols,
-                           features[0].row(y));
+        makeFeatures(color, depth, lab_input, rows, features[0]);
         return;
     }
     const BlockGrid grid = levels.grid(level, color.size());

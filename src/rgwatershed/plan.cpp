@@ -98,9 +98,9 @@ int Plan::floodRuler(double num_blocks, int num_markers_there) const
     return cvRound(std::min(4096 * priority / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
 }
 
-int Plan::usualFloodArea(double num_blocks, int num_markers_there)
+int Plan::usualFloodArea(double num_blocks, int num_markers_there) const
 {
-    return int(std::min(USUAL_FLOOD_AREA * num_blocks / num_markers_there, double(INT_MAX)));
+    return depth_adaptive ? INT_MAX : int(std::min(USUAL_FLOOD_AREA * num_blocks / num_markers_there, double(INT_MAX)));
 }
 
 SweepRules Plan::sweepOn(int some_level) const

@@ -22,8 +22,8 @@ struct Plan
 
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.
     int floodRuler(double num_blocks, int num_markers_there) const;
-    //! The area of a region of it that is not larger than usual.
-    static int usualFloodArea(double num_blocks, int num_markers_there);
+    //! The area of a region of it that is not larger than usual; any is where areas follow depth.
+    int usualFloodArea(double num_blocks, int num_markers_there) const;
     //! The rules of sweeps on a level after merging.
     SweepRules sweepOn(int some_level) const;
 

@@ -29,8 +29,7 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
 //! The region of the neighbour that a mask gives the offset of; any one if there is none.
 int RegionChoice::neighborOf(int pixel, const int* offsets) const
 {
-    const int label = labels_[pixel + offsets[masks_[pixel]]];
-    return label & ~(label >> 31);
+    return std::max(labels_[pixel + offsets[masks_[pixel]]], 0);
 }
 
 //! Squared distances of pixels to some regions.

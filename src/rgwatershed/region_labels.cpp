@@ -63,12 +63,6 @@ void openUnlabelled(const Mat& mask, Padded<int>& labels)
     }
 }
 
-void closeUnseen(Padded<int>& labels)
-{
-    Mat map = labels.view();
-    map.setTo(Scalar(OUTSIDE), map == UNSEEN);
-}
-
 int labelUnseen(int num_regions, Padded<int>& labels)
 {
     Mat map = labels.view(), components;

@@ -22,9 +22,6 @@ void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 //! The pixels inside of the mask that have no label become UNSEEN.
 void openUnlabelled(const Mat& mask, Padded<int>& labels);
 
-//! The UNSEEN pixels become OUTSIDE.
-void closeUnseen(Padded<int>& labels);
-
 //! Each connected component of UNSEEN pixels becomes a region of its own. Returns the new number of
 //! regions.
 int labelUnseen(int num_regions, Padded<int>& labels);

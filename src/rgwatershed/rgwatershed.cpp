@@ -34,7 +34,6 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    has_large_merge_buffers_ = gws::hasLargeMergeBuffers(plan.num_markers, frame.color.size().area());
     makePyramid(frame, parameters.lab_input, plan.levels, features_);
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
@@ -49,7 +48,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     }
     settle(frame, plan, num_iterations);
     if (plan.merges_pixels)
-        mergePixels(frame, plan, merge_buffers);
+        mergePixels(frame, plan, num_iterations, merge_buffers);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top].view());
@@ -86,9 +85,8 @@ int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     regions_.resize(0);
     const int num_markers = int(markers_.size()); // fewer than planned where cells have no room for them
     floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance,
-                    plan.floodRuler(plan.blocks, num_markers),
-                    plan.depth_adaptive ? INT_MAX : plan.usualFloodArea(plan.blocks, num_markers), flood_buffers_,
-                    labels_[plan.levels.top], regions_);
+                    plan.floodRuler(plan.blocks, num_markers), plan.usualFloodArea(plan.blocks, num_markers),
+                    flood_buffers_, labels_[plan.levels.top], regions_);
     return markers_in_cell;
 }
 
@@ -120,7 +118,7 @@ void RGWatershed::merge(const Plan& plan, int level, int num_regions, const Merg
 {
     mergeSimilarRegions(num_regions, features_[level], plan.flood_distance, rules, merge_buffers, labels_[level],
                         regions_);
-    if (has_large_merge_buffers_)
+    if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
         merge_buffers = MergeBuffers();
 }
 
@@ -146,8 +144,6 @@ void RGWatershed::floodFromUserMarkers(const Frame& frame, const Plan& plan)
     measureRegions(features_[0], labels_[0].view(), regions_);
     const int ruler = rulerOfMarkers(frame, plan, regions_);
     floodFromRegions(features_[0], plan.sweep.distance, ruler, flood_buffers_, labels_[0], regions_);
-    if (!frame.mask.empty())
-        closeUnseen(labels_[0]);
 }
 
 //! Step 5: level by level from the blocks that were flooded down to the pixels.
@@ -162,7 +158,8 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have none of their own, and leave blocks across an edge here
-        rules.last = level == 0 && num_sweeps == 1 && num_iterations == 1 && !plan.merges_pixels;
+        const bool ends = level == 0 && num_iterations == 1 && !plan.merges_pixels;
+        rules.last = ends && num_sweeps == 1;
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
@@ -170,6 +167,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
                                          features_[level], rules, labels_[level], regions_);
         else
             sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
+        rules.last = ends;
         sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
     }
 }
@@ -188,10 +186,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
     const int NO_RULER = 0;
     floodFromRegions(features_[level], plan.sweep.distance, NO_RULER, flood_buffers_, labels_[level], regions_);
     if (level > 0)
-    {
-        closeUnseen(labels_[level]);
         return;
-    }
     const int num_regions = labelUnseen(regions_.size(), labels_[0]);
     if (num_regions > regions_.size())
     {
@@ -202,13 +197,15 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 
 //! Where time matters least: the last unions are chosen when boundaries are settled, by the textures of regions, too.
 //! This follows what people see more than any number of smaller blocks.
-void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers)
+void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view();
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules, merge_buffers);
-    sweepers_[0].sweepAll(features_[0], plan.sweepOn(0), labels_[0], regions_);
+    SweepRules rules = plan.sweepOn(0);
+    rules.last = num_iterations == 1;
+    sweepers_[0].sweepAll(features_[0], rules, labels_[0], regions_);
 }
 
 //! Each iteration after the first moves pixels where that explains the colours better. Here normals of their blocks
@@ -225,6 +222,7 @@ void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iter
     {
         if (i == ITERATIONS_WITH_TIES)
             guard.forbidTies();
+        rules.last = i + 1 == num_iterations;
         sweepers_[0].sweepAgain(SWEEPS_PER_ITERATION, features_[0], rules, labels_[0], regions_);
     }
 }

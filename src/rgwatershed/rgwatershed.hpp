@@ -27,9 +27,6 @@ public:
     //! The CV_32SC1 labels of the last run, below 0 where there is none, in the memory that the next run writes to.
     Mat labels() { return labels_[0].view(); }
 
-    //! Whether the last run did not keep the buffers of merging.
-    bool hasLargeMergeBuffers() const { return has_large_merge_buffers_; }
-
     //! Features of the pixels of the last run.
     FeatureMap features() const { return features_[0]; }
 
@@ -40,7 +37,7 @@ private:
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
-    void mergePixels(const Frame& frame, const Plan& plan, MergeBuffers& merge_buffers);
+    void mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
@@ -49,7 +46,6 @@ private:
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];
     RegionTracker tracker_;
-    bool has_large_merge_buffers_ = false;
 
     // Buffers.
     Mat gradient_, steps_;

@@ -57,7 +57,7 @@ static inline void convertStride(const uchar* color, int channels, bool opponent
     v_store_interleave(to->color, c0, c1, c2, depth ? v_load(depth) : v_setzero_u8());
 }
 
-void makeFeatureRow(const uchar* color, int channels, bool lab_input, const uchar* depth, int cols, Feature* to)
+static void makeFeatureRow(const uchar* color, int channels, bool lab_input, const uchar* depth, int cols, Feature* to)
 {
     const bool opponents = channels > 1 && !lab_input;
     int x = 0;
@@ -72,6 +72,13 @@ void makeFeatureRow(const uchar* color, int channels, bool lab_input, const ucha
         memcpy(last_depth, depth + x, cols - x);
     convertStride(last_color, channels, opponents, last_depth, last);
     memcpy(to + x, last, (cols - x) * sizeof(Feature));
+}
+
+void makeFeatures(const Mat& color, const Mat& depth, bool lab_input, const Range& rows, Padded<Feature>& features)
+{
+    for (int y = rows.start; y < rows.end; y++)
+        makeFeatureRow(color.ptr(y), color.channels(), lab_input, depth.empty() ? 0 : depth.ptr(y), color.cols,
+                       features.row(y));
 }
 
 }}} // namespace

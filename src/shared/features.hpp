@@ -93,9 +93,9 @@ struct FeatureMap : Padded<Feature>
     const Normal& normalAt(Point p) const { return normalsOfRow(p.y)[p.x >> normal_shift]; }
 };
 
-//! Features of a row of pixels of 1, 3 or 4 channels; depth may be 0. If lab_input is false, colours are BGR and become
-//! those of the opponent space.
-void makeFeatureRow(const uchar* color, int channels, bool lab_input, const uchar* depth, int cols, Feature* to);
+//! Features of some rows of pixels of 1, 3 or 4 channels; depth may be empty. If lab_input is false, colours are BGR
+//! and become those of the opponent space.
+void makeFeatures(const Mat& color, const Mat& depth, bool lab_input, const Range& rows, Padded<Feature>& features);
 
 }}} // namespace
 

@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 enum RegionLabel
 {
     UNSEEN = -1,       //!< not reached by any region
-    OUTSIDE = INT_MIN  //!< around the image, outside of the mask, or not reached by any marker
+    OUTSIDE = INT_MIN  //!< around the image, or outside of the mask
 };
 
 //! Means over the pixels of a region, in steps.

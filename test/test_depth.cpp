@@ -8,7 +8,7 @@ namespace opencv_test { namespace {
 
 // Blocks through which a step of depth goes have the depth of one side. That of both would be a third surface, whose
 // superpixels end up as slivers that lie astride of the step: 4.8 wrong pixels in each image.
-TEST(ximgproc_GWatershed_depth_steps, few_pixels_are_on_the_wrong_side)
+TEST(ximgproc_GWatershed_depth, few_pixels_are_on_the_wrong_side)
 {
     RNG& rng = theRNG();
     const Size size(195, 140);
@@ -30,7 +30,7 @@ TEST(ximgproc_GWatershed_depth_steps, few_pixels_are_on_the_wrong_side)
 }
 
 // What is farther than a range that was set is at its far end, and so is infinity; what is nearer is at its near end.
-TEST(ximgproc_GWatershed_depth_steps, what_lies_beyond_a_range_is_at_its_end)
+TEST(ximgproc_GWatershed_depth, what_lies_beyond_a_range_is_at_its_end)
 {
     RNG& rng = theRNG();
     const Size size(160, 120);
@@ -57,6 +57,48 @@ TEST(ximgproc_GWatershed_depth_steps, what_lies_beyond_a_range_is_at_its_end)
         gws->iterate(image, clipped);
         EXPECT_TRUE(equalMats(labelsOf(gws), labels)) << i;
     }
+}
+
+// Depth that is the same along each row has normals without an x, whatever the focal length along x is.
+TEST(ximgproc_GWatershed_depth, focal_lengths_count_along_their_axes)
+{
+    const Size size(320, 240);
+    const float focal = 262;
+    const Mat image = makeScene(size, theRNG()) / 8;
+    Mat depth(size, CV_32FC1);
+    for (int y = 0; y < size.height; y++)
+        depth.row(y).setTo(Scalar(y < 130 ? 1500 + 2 * y : 2020 - 2 * y));
+    Mat labels[3];
+    const Point2f focals[3] = { Point2f(focal, focal), Point2f(900, focal), Point2f(focal, 900) };
+    for (int i = 0; i < 3; i++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 20);
+        gws->setFocalLength(focals[i].x, focals[i].y);
+        gws->iterate(image, depth);
+        labels[i] = labelsOf(gws);
+    }
+    EXPECT_TRUE(equalMats(labels[0], labels[1]));
+    EXPECT_FALSE(equalMats(labels[0], labels[2]));
+}
+
+
+// What is far has more markers by its area than it has pixels.
+TEST(ximgproc_GWatershed_depth, adaptive_superpixels_are_as_many_as_asked_for)
+{
+    for (const Size& size : { Size(16, 16), Size(33, 18), Size(21, 60) })
+        for (int sixths = 1; sixths <= 6; sixths++)
+        {
+            Mat depth(size, CV_32FC1);
+            for (int y = 0; y < size.height; y++)
+                for (int x = 0; x < size.width; x++)
+                    depth.at<float>(y, x) = 1 + 0.01f * float(x) + (x < size.width / 2 ? 0.f : float(y + 1));
+            const int number = size.area() * sixths / 6;
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, number);
+            gws->setDepthAdaptive(true);
+            gws->iterate(Mat(size, CV_8UC3, Scalar::all(120)), depth);
+            EXPECT_EQ(number, gws->getNumberOfSuperpixels());
+            expectPartition(labelsOf(gws), size, number);
+        }
 }
 
 }} // namespace
