@@ -55,8 +55,7 @@ private:
     //! all are multiples of 257, 8 bits were spread over 16, as 65535 is 255 * 257, also in a dark picture.
     ValueRange rangeOfBits()
     {
-        const auto isSpread = [](T value) { return int(value) % 257 == 0; };
-        const bool are_spread = std::all_of(values_.begin(), values_.end(), isSpread);
+        const bool are_spread = areSpread();
         const auto highest = values_.end() - 1 - int(values_.size()) / OUTLIERS;
         std::nth_element(values_.begin(), highest, values_.end());
         int levels = are_spread ? 65536 : 256;
@@ -64,6 +63,11 @@ private:
             levels *= 2;
         const ValueRange range = { 0, T(levels - 1) };
         return range;
+    }
+
+    bool areSpread() const
+    {
+        return std::all_of(values_.begin(), values_.end(), [](T value) { return int(value) % 257 == 0; });
     }
 
     //! The finite values of a sample; of all values, if too few of these count.
@@ -157,7 +161,8 @@ private:
         return outside <= finite / OUTLIERS;
     }
 
-    //! Whether the values without outliers span more than a small part of a range.
+    //! Whether the values without outliers span more than a small part of a range, and, of more than 8 bits, more than
+    //! half of the lowest one: those of a thermal camera may lie far above 0.
     bool spansMuchOf(ValueRange range) const
     {
         const int BINS = 4096;
@@ -171,7 +176,8 @@ private:
             left -= counts[first];
         for (int left = outliers; left >= counts[last]; last--)
             left -= counts[last];
-        return (last - first) * SHARE_OF_NOMINAL >= BINS - 1;
+        const bool is_far = image_.depth() == CV_16U && range.last > 255 && first > 2 * (last - first) && !areSpread();
+        return (last - first) * SHARE_OF_NOMINAL >= BINS - 1 && !is_far;
     }
 
     //! Of all finite values.

@@ -45,14 +45,14 @@ struct Slope
     bool is_shade;
 };
 
-//! From the sums of the rises of each channel across and down, and those of all steps.
-Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area)
+//! From the sums of the rises of each channel across and down, and those of all steps. Limits are times a factor.
+Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area, double limit)
 {
     const Matx32d mean = rises * (1 / area);
     const double others = (steps[0] + steps[1]) / area - std::abs(mean(0, 0)) - std::abs(mean(0, 1));
     const double chroma = std::abs(mean(1, 0)) + std::abs(mean(1, 1)) + std::abs(mean(2, 0)) + std::abs(mean(2, 1));
     Slope slope = { Vec2d(mean(0, 0), mean(0, 1)), std::max(0., others - 2.5), false };
-    slope.is_shade = chroma > 0.1 && chroma < 3 && 20 * (others - chroma - 0.75) <= chroma;
+    slope.is_shade = chroma > 0.1 * limit && chroma < 3 * limit && 20 * (others - chroma - 0.75) <= limit * chroma;
     if (!slope.is_shade)
         return slope;
     slope.rough = 0;
@@ -65,7 +65,7 @@ Slope slopeOf(const Matx32d& rises, const Vec2d& steps, double area)
 }
 
 //! What the slope that two regions share explains of their squared distance.
-double explainedBySlopes(const Slope& a, const Slope& b, double area, double squared_distance)
+double explainedBySlopes(const Slope& a, const Slope& b, double area, double squared_distance, double limit)
 {
     const bool are_shades = a.is_shade && b.is_shade;
     Vec2d turn;
@@ -73,7 +73,7 @@ double explainedBySlopes(const Slope& a, const Slope& b, double area, double squ
         turn[i] = std::max(0., std::abs(a.rise[i] - b.rise[i]) - (are_shades ? 0.35 : 0));
     const double explained = area * std::max(0., std::min(a.rise.dot(a.rise), b.rise.dot(b.rise)) - turn.dot(turn) -
                                                      std::pow(std::max(a.rough, b.rough), 2));
-    return are_shades && squared_distance > 8 * explained ? 0 : explained;
+    return are_shades && squared_distance > limit * 8 * explained ? 0 : explained;
 }
 
 //! The rows of a grid of n cells: a number near to that of square cells, if it divides n.
@@ -175,10 +175,16 @@ struct Plan
     }
 };
 
+//! From the lowest to the highest: they differ where rounding decides whether a slope counts.
+struct CostSpan
+{
+    double first, last;
+};
+
 //! Logarithms of the cost of mergeSimilar() for all neighbours of a label map, from its formula. Steps
 //! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and
 //! no slope.
-std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
+std::map<std::pair<int, int>, CostSpan> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
                                                  const std::vector<int>& parts)
 {
     std::vector<double> areas(n, 0.);
@@ -199,7 +205,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
                     continue;
                 const Vec3d next = opponentColor(image.at<Vec3b>(q));
                 const double step = cv::norm(color - next, NORM_L1);
-                if (first.at<int>(q) == first.at<int>(y, x) && y % 2 == 0)
+                if (first.at<int>(q) == first.at<int>(y, x) && ((y ^ (y >> 3)) & 1) == 0)
                 {
                     steps[labels.at<int>(q)][k] += step;
                     for (int c = 0; c < 3; c++)
@@ -220,7 +226,7 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
     while (n / few >= 8)
         few *= 2;
     const double usual_area = std::max(1., 2.9 * double(image.total()) / (n / few * few));
-    std::map<std::pair<int, int>, double> costs;
+    std::map<std::pair<int, int>, CostSpan> costs;
     std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)
     {
@@ -228,25 +234,33 @@ std::map<std::pair<int, int>, double> mergeCosts(const Mat& image, const Mat& fi
         const Vec3d d = means[e->first.first] - means[e->first.second];
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
-        const double explained = explainedBySlopes(slopeOf(rises[e->first.first], ta, na),
-                                                   slopeOf(rises[e->first.second], tb, nb), std::min(na, nb), d.dot(d));
         const bool of_a_part = parts[e->first.first] == parts[e->first.second];
-        costs[e->first] = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * explained + 1.5)) +
-                          straightLog(na) + straightLog(nb) - straightLog(na + nb) +
-                          0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
-                          0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
-                          0.39 * straightLog(16 * std::abs(d[0]) + 7) -
-                          0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
-                          0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
-                          1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
-                          0.5 * std::abs(directionOf(ta, na) - directionOf(tb, nb)) +
-                          32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
+        CostSpan slopes = { INFINITE, -INFINITE };
+        for (const double& limit : { 0.98, 1., 1.02 })
+        {
+            const double explained = explainedBySlopes(slopeOf(rises[e->first.first], ta, na, limit),
+                                                       slopeOf(rises[e->first.second], tb, nb, limit),
+                                                       std::min(na, nb), d.dot(d), limit);
+            const double cost = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * explained + 1.5));
+            slopes.first = std::min(slopes.first, cost);
+            slopes.last = std::max(slopes.last, cost);
+        }
+        const double rest = straightLog(na) + straightLog(nb) - straightLog(na + nb) +
+                            0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
+                            0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                            0.39 * straightLog(16 * std::abs(d[0]) + 7) -
+                            0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
+                            0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
+                            1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
+                            0.5 * std::abs(directionOf(ta, na) - directionOf(tb, nb)) +
+                            32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
+        costs[e->first] = { slopes.first + rest, slopes.last + rest };
     }
     return costs;
 }
 
 typedef std::pair<int, int> RegionKey; // first pixel in raster order, area: in nested partitions no two are the same
-typedef std::map<std::pair<RegionKey, RegionKey>, double> KeyedCosts;
+typedef std::map<std::pair<RegionKey, RegionKey>, CostSpan> KeyedCosts;
 
 std::vector<RegionKey> regionKeys(const Mat& labels, int n)
 {
@@ -267,9 +281,9 @@ KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int
     std::vector<int> part_of_label;
     for (const RegionKey& key : keys)
         part_of_label.push_back(parts.find(key)->second);
-    const std::map<std::pair<int, int>, double> costs = mergeCosts(image, first, labels, n, part_of_label);
+    const std::map<std::pair<int, int>, CostSpan> costs = mergeCosts(image, first, labels, n, part_of_label);
     KeyedCosts keyed;
-    for (std::map<std::pair<int, int>, double>::const_iterator e = costs.begin(); e != costs.end(); ++e)
+    for (std::map<std::pair<int, int>, CostSpan>::const_iterator e = costs.begin(); e != costs.end(); ++e)
     {
         const RegionKey a = keys[e->first.first], b = keys[e->first.second];
         keyed[std::make_pair(std::min(a, b), std::max(a, b))] = e->second;
@@ -280,12 +294,12 @@ KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int
 //! Whether no other boundary of either region is cheaper, but for the rounding of means and logarithms.
 bool areBestNeighbors(const KeyedCosts& costs, const std::pair<RegionKey, RegionKey>& pair)
 {
-    const double cost = costs.find(pair)->second;
+    const double cost = costs.find(pair)->second.first;
     for (KeyedCosts::const_iterator e = costs.begin(); e != costs.end(); ++e)
     {
         const bool touches = e->first.first == pair.first || e->first.second == pair.first ||
                              e->first.first == pair.second || e->first.second == pair.second;
-        if (touches && cost > e->second + 0.2)
+        if (touches && cost > e->second.last + 0.2)
             return false;
     }
     return true;

@@ -230,6 +230,21 @@ TEST_P(ximgproc_GWatershed_real_inputs, words_of_any_number_of_bits)
     }
 }
 
+// A thermal camera may count from far below all that it sees.
+TEST_P(ximgproc_GWatershed_real_inputs, words_far_above_zero_are_taken_from_the_lowest_on)
+{
+    Mat gray, expected;
+    cvtColor(makeScene(Size(160, 120), theRNG()), gray, COLOR_BGR2GRAY);
+    for (const int& offset : { 6000, 7300, 16400, 29000 })
+    {
+        Mat words;
+        gray.convertTo(words, CV_16U, 7, offset);
+        const Mat labels = segment(words, GetParam(), 10);
+        EXPECT_TRUE(expected.empty() || equalMats(expected, labels)) << offset;
+        expected = labels;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_real_inputs, the_fourth_channel_has_no_part_in_the_range)
 {
     const Mat image = makeScene(Size(160, 120), theRNG());

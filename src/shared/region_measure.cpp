@@ -40,7 +40,7 @@ struct ColorSum
     //! weights are those of the channels, in 1/256.
     RegionTexture toTexture(const short* weights) const
     {
-        RegionTexture texture = { {}, float(across), float(down) };
+        RegionTexture texture = { {}, float(across), float(down), {} };
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 2; i++)
                 texture.rises[k][i] = float(rises[k][i]);
@@ -211,7 +211,8 @@ int countDepths(const Feature* features, int count)
     return with_depth;
 }
 
-//! Colours and depths of regions, and their textures if they are asked for: of every second row, which is enough.
+//! Colours and depths of regions, and their textures if they are asked for: of every second row, which is enough. Even
+//! and odd ones take turns, so that rows that alternate are no slope.
 void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures, const v_int16x8& weights,
                std::vector<ColorSum>& sums)
 {
@@ -224,7 +225,7 @@ void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures
                                    own_labels + (last ? 0 : labels.step1()) };
         const int label = *own_labels, room = labels.cols - xs.start;
         const uint64 depth = sum.channels[3];
-        if (with_textures && y % 2 == 0)
+        if (with_textures && ((y ^ (y >> 3)) & 1) == 0)
             addRun<true>(pixels, label, xs.size(), room, weights, sum);
         else
             addRun<false>(pixels, label, xs.size(), room, weights, sum);

@@ -11,20 +11,18 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! How rough a region is: sums of the differences of colour between its pixels and those of it beside them, and those
 //! below them, weighted, in 1/16 of a level, in every second row; of blocks, what lies in them. It grows with details,
-//! but hardly with shading. And how its colours rise: sums of the same differences with their signs, in 1/256.
+//! but hardly with shading. And how its colours rise: sums of the same differences with their signs, in 1/256, and the
+//! squares of these, which tell a slope from a few edges.
 //! @note Sums of floats depend on their order, which is the same for every number of threads.
 struct RegionTexture
 {
     float rises[3][2]; //!< of each channel, across and down
     float across, down;
+    float squares[2][2]; //!< of the rises of the first channels, 0 where only pixels were measured
 
-    //! The first and the last four sums.
-    void add(const v_float32x4& first, const v_float32x4& last)
-    {
-        v_store(rises[0], gws::add(v_load(rises[0]), first));
-        v_store(rises[2], gws::add(v_load(rises[2]), last));
-    }
-    void add(const RegionTexture& t) { add(v_load(t.rises[0]), v_load(t.rises[2])); }
+    //! The sums of a block.
+    void add(const v_float32x4& first, const v_float32x4& last) { add(first, last, multiply(first, first)); }
+    void add(const RegionTexture& t) { add(v_load(t.rises[0]), v_load(t.rises[2]), v_load(t.squares[0])); }
 
     //! From levels, with the weights of the channels.
     void scaleRises(const short* weights, float scale)
@@ -32,9 +30,21 @@ struct RegionTexture
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 2; i++)
                 rises[k][i] *= scale * float(weights[k]);
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < 2; i++)
+                squares[k][i] *= scale * scale * float(weights[k] * weights[k]);
+    }
+
+private:
+    //! What lies side by side.
+    void add(const v_float32x4& first, const v_float32x4& last, const v_float32x4& squared)
+    {
+        v_store(rises[0], gws::add(v_load(rises[0]), first));
+        v_store(rises[2], gws::add(v_load(rises[2]), last));
+        v_store(squares[0], gws::add(v_load(squares[0]), squared));
     }
 };
-static_assert(sizeof(RegionTexture) == 32, "it is read as two vectors");
+static_assert(sizeof(RegionTexture) == 48, "it is read as three vectors");
 
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);

@@ -118,6 +118,20 @@ void SimilarMerger::describeTexture(int region, MergeRegion& record) const
     describeSlope(texture, 1 / area, record);
 }
 
+//! How unlike the rises of lightness are in the blocks of a region, squared: on a slope all of them rise alike, at an
+//! edge a few rise much.
+static float unevennessOf(const RegionTexture& texture, float share)
+{
+    const float FLAT = 0.35f * SLOPE_OF_LEVEL;
+    float sum = 0;
+    for (int i = 0; i < 2; i++)
+    {
+        const float mean = texture.rises[0][i] * share;
+        sum += texture.squares[0][i] * share - mean * mean;
+    }
+    return std::max(sum - FLAT * FLAT, 0.f);
+}
+
 //! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. Where nearly
 //! all steps are one slope of all channels, this is that of the region, and it has no roughness. Chroma that rises by
 //! three levels or more for each pixel is an edge or a pattern.
@@ -137,8 +151,9 @@ void SimilarMerger::describeSlope(const RegionTexture& texture, float share, Mer
     for (int i = 0; i < 2; i++)
         record.slope[i] = short(is_shade ? riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope)
                                          : rises[0][i]);
-    const int rough = std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
-    record.rough = is_shade ? int(IS_SHADE) : std::min(rough, int(STEEPEST_SLOPE));
+    const float noise = float(std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64);
+    const float rough = std::sqrt(noise * noise + unevennessOf(texture, share));
+    record.rough = is_shade ? int(IS_SHADE) : cvRound(std::min(rough, float(STEEPEST_SLOPE)));
 }
 
 MergeRegion SimilarMerger::describe(int region) const
