@@ -289,15 +289,15 @@ int numberOfLabels(const Mat& labels)
     return int(largest) + 1;
 }
 
-double purity(const Mat& labels, int number, const Mat& mask)
+double purity(const Mat& labels, int number, const Mat& classes)
 {
-    std::vector<int> inside(number, 0), outside(number, 0);
+    std::vector<std::vector<int> > areas(number, std::vector<int>(256, 0));
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
-            (mask.at<uchar>(y, x) ? inside : outside)[labels.at<int>(y, x)]++;
+            areas[labels.at<int>(y, x)][classes.at<uchar>(y, x)]++;
     double pure = 0;
-    for (int i = 0; i < number; i++)
-        pure += std::max(inside[i], outside[i]);
+    for (const std::vector<int>& of_one : areas)
+        pure += *std::max_element(of_one.begin(), of_one.end());
     return pure / double(labels.total());
 }
 

@@ -44,8 +44,8 @@ Mat labelsOf(const Ptr<SuperpixelGWatershed>& gws);
 Mat segment(InputArray image, int algorithm, int region_size);
 Mat segment(InputArray image, InputArray depth, int algorithm, int region_size);
 
-//! Share of the pixels that are in a superpixel whose most pixels are on their side of a mask.
-double purity(const Mat& labels, int number, const Mat& mask);
+//! Share of the pixels that are in a superpixel whose most pixels are of their class, a value of a CV_8UC1 map.
+double purity(const Mat& labels, int number, const Mat& classes);
 
 //! Number of 4-connected pieces of equal label.
 int countPieces(const Mat& labels);

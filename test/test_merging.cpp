@@ -205,7 +205,7 @@ std::map<std::pair<int, int>, CostSpan> mergeCosts(const Mat& image, const Mat& 
                     continue;
                 const Vec3d next = opponentColor(image.at<Vec3b>(q));
                 const double step = cv::norm(color - next, NORM_L1);
-                if (first.at<int>(q) == first.at<int>(y, x) && ((y ^ (y >> 3)) & 1) == 0)
+                if (first.at<int>(q) == first.at<int>(y, x) && ((y ^ (y >> 2)) & 1) == 0)
                 {
                     steps[labels.at<int>(q)][k] += step;
                     for (int c = 0; c < 3; c++)

@@ -225,7 +225,7 @@ void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures
                                    own_labels + (last ? 0 : labels.step1()) };
         const int label = *own_labels, room = labels.cols - xs.start;
         const uint64 depth = sum.channels[3];
-        if (with_textures && ((y ^ (y >> 3)) & 1) == 0)
+        if (with_textures && ((y ^ (y >> 2)) & 1) == 0)
             addRun<true>(pixels, label, xs.size(), room, weights, sum);
         else
             addRun<false>(pixels, label, xs.size(), room, weights, sum);

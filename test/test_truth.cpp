@@ -1,0 +1,98 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_common.hpp"
+
+namespace opencv_test { namespace {
+
+// Pictures whose things are known, as far as others are not asked of already: how many pixels lie in a superpixel of
+// which more is of another thing.
+
+struct Drawing
+{
+    Mat image, things;
+};
+
+//! Ellipses and boxes of many grays, or colours, with soft edges.
+Drawing drawThings(int type, RNG& rng)
+{
+    const Size size(320, 240);
+    const auto anyColor = [&]() { return Scalar(rng.uniform(30, 226), rng.uniform(30, 226), rng.uniform(30, 226)); };
+    Drawing drawing = { Mat(size, type, anyColor()), Mat::zeros(size, CV_8UC1) };
+    for (int i = 1; i <= 14; i++)
+    {
+        const Point center(rng.uniform(0, size.width), rng.uniform(0, size.height));
+        const Size half(rng.uniform(12, 70), rng.uniform(12, 50));
+        const RotatedRect box(center, Size2f(float(2 * half.width), float(2 * half.height)), rng.uniform(0.f, 180.f));
+        Point2f corners[4];
+        box.points(corners);
+        std::vector<Point> polygon(corners, corners + 4);
+        const Scalar color = anyColor();
+        if (i % 2)
+        {
+            ellipse(drawing.image, box, color, FILLED);
+            ellipse(drawing.things, box, Scalar(i), FILLED);
+        }
+        else
+        {
+            fillConvexPoly(drawing.image, polygon, color);
+            fillConvexPoly(drawing.things, polygon, Scalar(i));
+        }
+    }
+    GaussianBlur(drawing.image, drawing.image, Size(3, 3), 0);
+    return drawing;
+}
+
+//! Share of the pixels in superpixels of other things.
+double wrongShare(const Ptr<SuperpixelGWatershed>& gws, const Mat& things)
+{
+    return 1 - purity(labelsOf(gws), gws->getNumberOfSuperpixels(), things);
+}
+
+// A region with an edge in it rises, but is not the slope that what lies behind the edge is part of.
+TEST(ximgproc_GWatershed_truth, an_edge_between_grays_is_no_slope)
+{
+    const int pictures = 12;
+    for (const int& effort : { 1, 2 })
+    {
+        double wrong = 0;
+        RNG rng(17);
+        for (int i = 0; i < pictures; i++)
+        {
+            const Drawing drawing = drawThings(CV_8UC1, rng);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(drawing.image, RGWATERSHED, 20);
+            gws->setEffort(effort);
+            gws->iterate();
+            wrong += wrongShare(gws, drawing.things) / pictures;
+        }
+        EXPECT_LT(wrong, 0.02) << effort;
+    }
+}
+
+// As of a video that is shown line by line.
+TEST(ximgproc_GWatershed_truth, rows_that_alternate_are_no_slope)
+{
+    const int pictures = 6;
+    double wrong[2] = { 0, 0 }; // with the highest effort, and merged
+    RNG rng(18);
+    for (int i = 0; i < pictures; i++)
+    {
+        Drawing drawing = drawThings(CV_8UC3, rng);
+        for (int y = 1; y < drawing.image.rows; y += 2)
+            drawing.image.row(y) /= 2;
+        for (int k = 0; k < 2; k++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(drawing.image, RGWATERSHED, k ? 10 : 20);
+            gws->setEffort(k ? 1 : 3);
+            gws->iterate();
+            if (k)
+                gws->mergeSimilar(192);
+            wrong[k] += wrongShare(gws, drawing.things) / pictures;
+        }
+    }
+    EXPECT_LT(wrong[0], 0.014);
+    EXPECT_LT(wrong[1], 0.014);
+}
+
+}} // namespace
