@@ -101,4 +101,25 @@ TEST(ximgproc_GWatershed_depth, adaptive_superpixels_are_as_many_as_asked_for)
         }
 }
 
+// As those of a robot's gripper, or wrong ones.
+TEST(ximgproc_GWatershed_depth, a_few_near_depths_take_no_levels_from_others)
+{
+    const Size size(320, 240);
+    Mat ball = Mat::zeros(size, CV_8UC1), noise(size, CV_8UC1);
+    circle(ball, Point(200, 100), 40, Scalar(1), FILLED);
+    theRNG().fill(noise, RNG::UNIFORM, 0, 100);
+    for (const float& near_depth : { 0.03f, 0.06f, 0.12f })
+        for (int scattered = 0; scattered < 2; scattered++)
+        {
+            Mat depth(size, CV_32FC1, Scalar(1.05));
+            depth.setTo(Scalar(1), ball);
+            if (scattered)
+                depth.setTo(Scalar(near_depth), noise < 2);
+            else
+                depth(Rect(0, 140, 60, 100)).setTo(Scalar(near_depth));
+            const Mat labels = segment(Mat(size, CV_8UC3, Scalar(90, 120, 70)), depth, RGWATERSHED, 20);
+            EXPECT_GT(purity(labels, numberOfLabels(labels), ball), scattered ? 0.985 : 0.998) << near_depth;
+        }
+}
+
 }} // namespace

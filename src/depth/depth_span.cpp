@@ -50,14 +50,43 @@ static void removeExtremes(std::vector<float>& depths, DepthSpan& span)
         depths.erase(depths.begin(), others);
 }
 
+//! Takes out a few depths that are apart from all others and much nearer, as those of a robot's gripper, if they would
+//! take most levels of nearness.
+static void removeNear(std::vector<float>& depths, DepthSpan& span)
+{
+    const float APART = 1.8f;
+    const double MOST = 0.8;
+    const ptrdiff_t n = ptrdiff_t(depths.size()), few = n / 7, hundredth = n / 100;
+    if (hundredth == 0 || span.nearer)
+        return;
+    const auto begin = depths.begin();
+    std::nth_element(begin, begin + few, depths.end());
+    std::nth_element(begin + few, depths.end() - hundredth, depths.end());
+    const double inverse_far = 1. / *(depths.end() - hundredth);
+    const double inverse_near = 1. / *std::min_element(begin, begin + few + 1);
+    const auto leaveFew = [&](float d) { return 1. / d - inverse_far < (1 - MOST) * (inverse_near - inverse_far); };
+    if (!leaveFew(begin[few]))
+        return;
+    std::sort(begin, begin + few);
+    for (auto first = std::find_if(begin, begin + few, leaveFew); first != begin + few; ++first)
+        if (first - std::upper_bound(begin, first, *first / APART) <= hundredth && first - begin > n / 1000)
+        {
+            span.nearer = true;
+            depths.erase(begin, first);
+            return;
+        }
+}
+
 //! The range of depths without outliers at each end. {0, 0} if there are not two depths.
-static DepthSpan spanOf(DepthSample& sample)
+static DepthSpan spanOf(DepthSample& sample, bool takes_all)
 {
     std::vector<float>& depths = sample.depths;
     DepthSpan span = { { 0, 0 }, false, sample.has_far };
     if (depths.empty())
         return span;
     removeExtremes(depths, span);
+    if (!takes_all)
+        removeNear(depths, span);
     FloatRange range = rangeWithout(depths.size() / 100, depths);
     if (range.first >= range.last)
     {
@@ -101,7 +130,7 @@ DepthSpan findSpan(const Mat& depth, float farthest)
         int64 count = int64(sample.depths.size());
         if (count >= ENOUGH || step == 1)
         {
-            const DepthSpan span = spanOf(sample);
+            const DepthSpan span = spanOf(sample, farthest <= FLT_MAX);
             if (span.range.last > 0 || step == 1)
                 return span;
             count = 0;

@@ -79,9 +79,8 @@ missing or the same everywhere changes nothing.
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
 memory runs out, cv::Exception with Error::StsNoMem is thrown; after that in iterate(), there is no segmentation
 and empty() returns true. The object can be used again in both cases. Input images are never written to. In Python None
-for depth is no depth. None for a number is its default, or 0 if it has none, which throws where 0 is not allowed:
-`iterate(None)` is `iterate()`, so check what imread() returned. After None for depth a region_size of 200 or 201 is
-taken for the algorithm: leave depth out instead.
+for depth is no depth. None for a number is its default, or 0 if it has none: `iterate(None)` is `iterate()`, so check
+what imread() returned. After None for depth a region_size of 200 or 201 is taken for the algorithm: leave depth out.
 
 **Outputs** are a Mat or UMat, allocated as needed, or a Mat_ of the type stated. What has one column, and the labels
 and masks of an image of one row, may also be a std::vector of that type.
@@ -424,15 +423,15 @@ public:
     @param near_depth Depth that becomes 1, in the unit of the depth map. Nearer depth becomes 1, too.
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth, finite; or
     both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its valid depths (of a
-    sample if there are many), or from minimum to maximum if these are equal. If a gap without depths takes 7/8 of that
-    range, as where a part of the frame is far behind all else or holds a value that means "no depth", it gets fewer
-    levels. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
+    sample if there are many), or from minimum to maximum if these are equal. A gap without depths that takes 7/8 of
+    that range gets fewer levels. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set
+    a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, in which what is far takes
-    few levels and what is near takes them from all else. Its near end is the nearest thousandth, not the hundredth, but
-    at most a quarter of the range nearer; a near_depth below half of that counts as half of it. Differences below
-    1/2500 of the inverse near end do not count. Steps of a colour must be 2 % of the depth to be found at the near end,
-    5, 10 and 20 % at 4, 8 and 16 times its depth. What is more than 64 times as far as the middle one of the depths
-    that differ counts as infinite, if it is more than a hundredth. */
+    few levels and what is near takes them from all else: steps of a colour must be 2 % of the depth to be found at the
+    near end, 5, 10 and 20 % at 4, 8 and 16 times its depth, and 1/2500 of the inverse near end at least. The near end
+    is the nearest thousandth, not the hundredth, but at most a quarter of the range nearer; a near_depth below half of
+    it counts as half. What is 64 times as far as the middle of the depths that differ counts as infinite, if it is more
+    than a hundredth. Up to a seventh of the depths that lie apart, as a gripper, count as nearer than all others. */
     CV_WRAP virtual void setDepthRange(float near_depth, float far_depth) = 0;
     /** @brief The depth that becomes 1, or 0 if the range is taken from the frame. @see setDepthRange */
     CV_WRAP virtual float getNearDepth() const = 0;
