@@ -135,7 +135,7 @@ inline MergeRules pixelMergeRules(float ruler)
 {
     MergeRules rules = mergeByTextures();
     rules.usual = 3.6f;
-    rules.length = cvRound(double(rules.length) * mergeLength(ruler) / mergeLength(10));
+    rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;
 }
 
