@@ -12,14 +12,13 @@
 #include <opencv2/gwatershed.hpp>
 
 #include "rgwatershed/block_gradient.hpp"
+#include "rgwatershed/block_markers.hpp"
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
-#include "rgwatershed/plan.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_labels.hpp"
 #include "rgwatershed/tuning.hpp"
-#include "shared/grid_markers.hpp"
 
 #include <iostream>
 #include <vector>
@@ -61,20 +60,17 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     const gws::FeatureMap& blocks = pyramid[plan.levels.top];
 
     Mat gradient;
-    std::vector<Point> middles;
-    std::vector<gws::MarkerBand> bands;
+    gws::BlockMarkers markers;
     gws::computeBlockGradient(blocks, plan.flood_distance, Mat(), gradient);
-    const gws::MarkerGrid grid(blocks.size(), image.size(), steps.block, plan.num_superpixels,
-                               plan.markers_per_superpixel);
-    gws::placeGridMarkers(gradient, grid, steps.markers, middles);
-    gws::divideIntoBands(grid, plan.band_height, bands);
+    gws::placeBlockMarkers(plan, blocks, image.size(), Mat(), gradient, markers);
+    steps.markers = markers.places;
 
     gws::Padded<int> labels;
     gws::Regions regions;
     gws::FloodBuffers flood_buffers;
     gws::clearLabels(blocks.size(), Mat(), labels);
-    const int num_markers = int(steps.markers.size());
-    gws::floodFromPoints(blocks, steps.markers, middles, bands, plan.flood_distance,
+    const int num_markers = int(markers.places.size());
+    gws::floodFromPoints(blocks, markers.places, markers.middles, markers.bands, plan.flood_distance,
                          plan.floodRuler(plan.blocks, num_markers), plan.usualFloodArea(plan.blocks, num_markers),
                          flood_buffers, labels, regions);
     steps.flooded = labels.view().clone();
@@ -92,7 +88,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
         gws::measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), buffer,
                                   merge_buffers.textures);
         gws::MergeRules rules = plan.merge_rules;
-        rules.in_cell = grid.parts.area();
+        rules.in_cell = markers.in_cell;
         gws::mergeSimilarRegions(plan.num_regions, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
     }
     steps.merged = labels.view().clone();

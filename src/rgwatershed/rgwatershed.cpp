@@ -4,7 +4,6 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/rgwatershed.hpp"
-#include "rgwatershed/adaptive_markers.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
@@ -41,8 +40,8 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     else if (!frame.continues ||
              !tracker_.track(plan, features_, mask, sweepers_[top], merge_buffers, labels_[top], regions_))
     {
-        const int markers_in_cell = floodBlocks(plan, mask);
-        sweepAndMerge(plan, markers_in_cell, merge_buffers);
+        floodBlocks(plan, mask);
+        sweepAndMerge(plan, merge_buffers);
         if (parameters.temporal)
             tracker_.start(plan, features_[top], labels_[top], regions_);
     }
@@ -55,50 +54,31 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     return regions_.size();
 }
 
-//! Steps 2 and 3: more regions than asked for. Returns how many of consecutive numbers began in the same cell.
-int RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
+//! Steps 2 and 3: more regions than asked for.
+void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
     CV_TRACE_FUNCTION();
     const FeatureMap& features = features_[plan.levels.top];
-    int markers_in_cell = 1;
+    Padded<int>& labels = labels_[plan.levels.top];
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
-    if (mask.empty() && !plan.depth_adaptive)
-    {
-        const bool in_cells = plan.num_markers == plan.num_superpixels * plan.markers_per_superpixel;
-        const int in_cell = in_cells ? plan.markers_per_superpixel : 1;
-        const MarkerGrid grid(features.size(), features_[0].size(), plan.levels.side(plan.levels.top),
-                              plan.num_markers / in_cell, in_cell);
-        placeGridMarkers(gradient_, grid, markers_, middles_);
-        divideIntoBands(grid, plan.band_height, bands_);
-        markers_in_cell = grid.parts.area();
-    }
-    else
-    {
-        if (mask.empty())
-            placeAdaptiveMarkers(gradient_, features, plan.num_markers, markers_);
-        else
-            placeShapeMarkers(gradient_, mask, plan.num_markers, marker_buffers_, markers_);
-        bands_.assign(1, wholeBand(features.size(), int(markers_.size())));
-        middles_.clear();
-    }
-    clearLabels(features.size(), mask, labels_[plan.levels.top]);
+    placeBlockMarkers(plan, features, features_[0].size(), mask, gradient_, markers_);
+    clearLabels(features.size(), mask, labels);
     regions_.resize(0);
-    const int num_markers = int(markers_.size()); // fewer than planned where cells have no room for them
-    floodFromPoints(features, markers_, middles_, bands_, plan.flood_distance,
+    const int num_markers = int(markers_.places.size());
+    floodFromPoints(features, markers_.places, markers_.middles, markers_.bands, plan.flood_distance,
                     plan.floodRuler(plan.blocks, num_markers), plan.usualFloodArea(plan.blocks, num_markers),
-                    flood_buffers_, labels_[plan.levels.top], regions_);
-    return markers_in_cell;
+                    flood_buffers_, labels, regions_);
 }
 
 //! Step 4, if there are more regions than asked for. Merging leaves regions that are small where the image varies, and
 //! large where it does not.
-void RGWatershed::sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers)
+void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     if (regions_.size() <= plan.num_regions)
         return;
     MergeRules rules = plan.merge_rules;
-    rules.in_cell = markers_in_cell;
+    rules.in_cell = markers_.in_cell;
     const FeatureMap& features = features_[plan.levels.top];
     Padded<int>& labels = labels_[plan.levels.top];
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];

@@ -5,8 +5,8 @@
 #ifndef OPENCV_GWATERSHED_RGWATERSHED_HPP
 #define OPENCV_GWATERSHED_RGWATERSHED_HPP
 
+#include "rgwatershed/block_markers.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
-#include "rgwatershed/plan.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/tuning.hpp"
@@ -31,8 +31,8 @@ public:
     FeatureMap features() const { return features_[0]; }
 
 private:
-    int floodBlocks(const Plan& plan, const Mat& mask);
-    void sweepAndMerge(const Plan& plan, int markers_in_cell, MergeBuffers& merge_buffers);
+    void floodBlocks(const Plan& plan, const Mat& mask);
+    void sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
     void merge(const Plan& plan, int level, int num_regions, const MergeRules& rules, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
@@ -49,9 +49,7 @@ private:
 
     // Buffers.
     Mat gradient_, steps_;
-    std::vector<Point> markers_, middles_;
-    std::vector<MarkerBand> bands_;
-    MarkerBuffers marker_buffers_;
+    BlockMarkers markers_;
     FloodBuffers flood_buffers_;
 };
 
