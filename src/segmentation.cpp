@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "segmentation.hpp"
-#include "shared/mask_pyramid.hpp"
+#include "shared/masks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

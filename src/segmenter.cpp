@@ -7,7 +7,7 @@
 #include "conversion.hpp"
 #include "depth/depth_scale.hpp"
 #include "rgwatershed/tuning.hpp"
-#include "shared/user_markers.hpp"
+#include "user_markers.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

@@ -4,12 +4,12 @@
 
 #include "precomp.hpp"
 #include "arguments.hpp"
+#include "in_use.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
 #include "results/merge_small.hpp"
 #include "results/statistics.hpp"
 #include "segmenter.hpp"
-#include "shared/in_use.hpp"
 
 #include <new>
 

@@ -7,7 +7,7 @@
 #include "gwatershed/gwatershed.hpp"
 #include "gwatershed/marker_tracking.hpp"
 #include "shared/grid_markers.hpp"
-#include "shared/mask_pyramid.hpp"
+#include "shared/masks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

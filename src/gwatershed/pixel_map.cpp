@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "gwatershed/pixel_map.hpp"
 #include "shared/alpha.hpp"
-#include "shared/mask_pyramid.hpp"
+#include "shared/masks.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {

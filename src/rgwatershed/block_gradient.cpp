@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/tuning.hpp"
-#include "shared/mask_pyramid.hpp"
+#include "shared/masks.hpp"
 #include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {

@@ -7,8 +7,8 @@
 
 #include "rgwatershed/boundary_sweep.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
+#include "rgwatershed/mask_pyramid.hpp"
 #include "shared/frame.hpp"
-#include "shared/mask_pyramid.hpp"
 #include "shared/parameters.hpp"
 #include "shared/region_merge.hpp"
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "shared/user_markers.hpp"
+#include "user_markers.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

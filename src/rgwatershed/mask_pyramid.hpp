@@ -5,18 +5,9 @@
 #ifndef OPENCV_GWATERSHED_MASK_PYRAMID_HPP
 #define OPENCV_GWATERSHED_MASK_PYRAMID_HPP
 
-#include "shared/padded.hpp"
+#include "precomp.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
-
-//! Bounding box of the non-zero pixels of a CV_8UC1 mask; empty if there are none.
-Rect findBounds(const Mat& mask);
-
-//! Gradients with a pixel outside of the mask in their 3x3 window become UNKNOWN_GRADIENT.
-void forgetGradients(const Mat& mask, Mat& gradient);
-
-//! Stands for a gradient that is not known. Markers avoid it, and it makes no border.
-enum { UNKNOWN_GRADIENT = USHRT_MAX };
 
 //! A mask, and masks of the blocks of 2x2, 4x4... pixels all of whose pixels are inside.
 class MaskPyramid
