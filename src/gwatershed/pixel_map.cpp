@@ -12,6 +12,8 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { STRIDE = 16 }; // pixels that are compared at once
 
+namespace {
+
 //! Colours of 16 pixels, by channel.
 struct Colors
 {
@@ -29,6 +31,8 @@ struct Colors
     }
     v_uint8x16 b, g, r;
 };
+
+} // namespace
 
 //! Equation (1), of 16 pairs of pixels.
 static inline void compareColors(const uchar* p, const uchar* q, int channels, uchar* distances)
@@ -61,6 +65,8 @@ static void weighDepth(const uchar* p, const uchar* q, int n, int alpha, uchar* 
         distances[x] = uchar(((p[x] != 0) & (q[x] != 0)) ? weighed : distances[x]);
     }
 }
+
+namespace {
 
 //! Compares the pixels of two rows, or of one row with those beside them.
 class RowComparison
@@ -100,6 +106,8 @@ private:
     const Mat& depth_;
     const int alpha_;
 };
+
+} // namespace
 
 //! beside: distances of the pixels of a row to those at the left, and one more.
 static void packRow(const uchar* beside, const uchar* above, const uchar* below, const ushort* gradient, int threshold,

@@ -9,11 +9,15 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+namespace {
+
 //! A pixel for contrasts: 8-bit colour (all three equal in a gray image) and scaled depth, 0 if it is missing.
 struct Pixel
 {
     uchar b, g, r, depth;
 };
+
+} // namespace
 
 //! Equations (1) to (3) of the paper, 0..255. alpha is in 1/256.
 //! @note If the depth of p or q is missing, colour alone counts.
@@ -24,6 +28,8 @@ static int distance(const Pixel& p, const Pixel& q, int alpha)
         return color;
     return weighByAlpha(alpha, color, std::abs(p.depth - q.depth));
 }
+
+namespace {
 
 //! Contrast of neighbouring pixels: their distance, equations (1) to (3).
 struct PixelContrast
@@ -43,6 +49,8 @@ struct PixelContrast
     const Mat& depth;
     const int alpha;
 };
+
+} // namespace
 
 static bool comesFirst(const RegionGraph::Boundary& a, const RegionGraph::Boundary& b)
 {

@@ -10,6 +10,8 @@ namespace cv { namespace ximgproc { namespace gws {
 enum { AT_ONCE = 4 }; // blocks
 enum { SUMS = 8 };     // of a RegionTexture
 
+namespace {
+
 //! Two steps from corners to others in each of two blocks, channel by channel: without their signs, and with them.
 struct Steps
 {
@@ -23,6 +25,8 @@ struct Steps
 
     v_int16x8 sum, rise;
 };
+
+} // namespace
 
 //! Half of the mean step of each of four blocks, in 1/16 of a level.
 static v_int32x4 meanStep(const Steps& low, const Steps& high, const v_int16x8& weights)

@@ -23,6 +23,8 @@ enum { FEWEST_BANDS = 2 };
 
 static int countGroups() { return getNumThreads() > 1 ? 2 * getNumThreads() : 1; }
 
+namespace {
+
 //! Rows of quads that a class is looked at in.
 struct ClassRows
 {
@@ -52,6 +54,8 @@ struct ClassRows
 
     Range rows[NUM_CLASSES];
 };
+
+} // namespace
 
 //! What one thread does.
 class BoundarySweeper::Wave

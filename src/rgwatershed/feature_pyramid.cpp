@@ -5,7 +5,6 @@
 #include "precomp.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/tuning.hpp"
-#include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -108,6 +107,8 @@ static const Feature* fillBlocks(const Feature* row, const BlockAxis& blocks, Au
     return filled.data();
 }
 
+namespace {
+
 //! The rows of elements of a row of blocks.
 class RowsOfBlocks
 {
@@ -126,6 +127,8 @@ private:
     const BlockGrid& grid_;
     AutoBuffer<Feature> filled_[3];
 };
+
+} // namespace
 
 //! Takes the depths of some blocks one by one. Elements of theirs begin with the rows.
 static void takeDepths(const Feature* const* rows, int side, const Range& blocks, int y, Feature* to,

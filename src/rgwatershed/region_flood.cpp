@@ -19,6 +19,8 @@ void FloodRegion::update()
     next_update = int(std::min<int64>(int64(sum.area) + sum.area / MEAN_GROWTH + 1, INT_MAX));
 }
 
+namespace {
+
 //! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is
 //! taken from its components within 4 percent.
 template <bool WITH_DEPTH> class NeighborPriorities
@@ -186,6 +188,8 @@ private:
     std::vector<int>& batch_;
     std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows
 };
+
+} // namespace
 
 //! Floods some rows from seeds, by regions that are ready in the buffers.
 static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,

@@ -4,7 +4,6 @@
 
 #include "precomp.hpp"
 #include "shared/features.hpp"
-#include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
 

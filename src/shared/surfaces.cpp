@@ -68,6 +68,8 @@ static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, f
     return v_trunc(v_max(v_min(slopes, steepest), v_setall_f32(-(1 << 14))));
 }
 
+namespace {
+
 //! What is known of four surfaces before they are solved.
 struct FourSurfaceSums
 {
@@ -94,6 +96,8 @@ struct FourSurfaceSums
     v_int32x4 x, y;  // of normals
     v_int32x4 known; // all bits where there is a normal
 };
+
+} // namespace
 
 //! With the normal (nx, ny, nz) and the ray (x, y, 1) of the centre, nearness above the horizon grows by
 //! nx / (nx x + ny y + nz) of it over one focal length to the right.

@@ -53,6 +53,8 @@ static inline v_int32x4 weigh(const v_int32x4& a, const v_int32x4& b, const v_in
     return v_dotprod(makePairs(a, b), exponents, sum);
 }
 
+namespace {
+
 //! The surfaces of four regions.
 struct FourSurfaces
 {
@@ -73,6 +75,8 @@ struct FourSurfaces
     v_int32x4 normals, slopes; // pairs of 16 bits
     v_int32x4 center_x, center_y;
 };
+
+} // namespace
 
 //! How far centres are from planes of others, in depth. Of two planes the one counts that holds the other region
 //! better: that of a small region may be wrong.

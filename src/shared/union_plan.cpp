@@ -5,9 +5,10 @@
 #include "precomp.hpp"
 #include "shared/union_plan.hpp"
 #include "shared/grid_markers.hpp"
-#include <algorithm>
 
 namespace cv { namespace ximgproc { namespace gws {
+
+namespace {
 
 //! Divides the cells of a grid into tiles of nearly equal numbers of cells: bands of three rows (of up to five where
 //! three do not divide them) are divided into pieces.
@@ -56,6 +57,8 @@ struct RegionPlace
     }
 };
 
+} // namespace
+
 //! The places of regions in a grid with one cell for each, in the order of their tiles. Centres are those of a sample
 //! of 16 pixels in a cell, so very small regions may have none.
 static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
@@ -91,12 +94,16 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     return places;
 }
 
+namespace {
+
 //! Regions of a list that are to be divided.
 struct Group
 {
     Range range; // in the list
     int above;   // the part that it is a half of
 };
+
+} // namespace
 
 //! Divides the regions of a group into halves, by the longer side of the cells that they lie in.
 static void divide(const Group& group, std::vector<RegionPlace>& places, UnionPlan& plan, std::vector<Group>& groups)
