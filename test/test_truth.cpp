@@ -95,4 +95,39 @@ TEST(ximgproc_GWatershed_truth, rows_that_alternate_are_no_slope)
     EXPECT_LT(wrong[1], 0.014);
 }
 
+//! Share of the superpixels that have no square of 3x3 pixels.
+double shareOfSlivers(const Mat& labels)
+{
+    std::vector<uchar> is_broad(numberOfLabels(labels), 0);
+    for (int y = 0; y + 3 <= labels.rows; y++)
+        for (int x = 0; x + 3 <= labels.cols; x++)
+        {
+            double lowest, highest;
+            minMaxLoc(labels(Rect(x, y, 3, 3)), &lowest, &highest);
+            if (lowest == highest)
+                is_broad[int(lowest)] = 1;
+        }
+    return double(std::count(is_broad.begin(), is_broad.end(), uchar(0))) / double(is_broad.size());
+}
+
+// The colour of blocks astride of an edge is that of no thing, so nothing would unite with them.
+TEST(ximgproc_GWatershed_truth, blocks_astride_of_an_edge_do_not_stay_apart)
+{
+    const int pictures = 8;
+    for (const int& effort : { 1, 2 })
+    {
+        double slivers = 0;
+        RNG rng(19);
+        for (int i = 0; i < pictures; i++)
+        {
+            Ptr<SuperpixelGWatershed> gws =
+                    createSuperpixelGWatershed(drawThings(CV_8UC3, rng).image, RGWATERSHED, 20);
+            gws->setEffort(effort);
+            gws->iterate();
+            slivers += shareOfSlivers(labelsOf(gws)) / pictures;
+        }
+        EXPECT_LT(slivers, 0.36) << effort;
+    }
+}
+
 }} // namespace

@@ -79,6 +79,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     merge_rules.on_surface = depth_adaptive;
     merge_rules.texture = flood_distance.shareOfColor(merge_rules.texture);
     merge_rules.direction = flood_distance.shareOfColor(merge_rules.direction);
+    merge_rules.mixed = flood_distance.shareOfColor(merge_rules.mixed);
     num_markers = int(std::min(double(num_superpixels) * markers_per_superpixel, blocks));
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))

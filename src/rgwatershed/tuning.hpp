@@ -114,6 +114,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     const float part_of_textures = 10 / std::max(ruler, 10.f); // compactness instead where that is asked for
     rules.texture = cvRound(20 * part_of_textures);
     rules.direction = cvRound(45 * part_of_textures);
+    rules.mixed = 192;
     // Larger ones make superpixels of even areas squares.
     rules.noise = cvRound(80 + 6 * std::min(std::max(ruler, 10.f), 40.f));
     return rules;
@@ -125,7 +126,7 @@ inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
 {
     MergeRules rules = of_images;
     rules.num_kept = num_kept;
-    rules.texture = rules.direction = 0;
+    rules.texture = rules.direction = rules.mixed = 0;
     rules.noise *= 2;
     return rules;
 }

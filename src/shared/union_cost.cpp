@@ -152,6 +152,18 @@ v_int32x4 UnionCost::ofSlopes(const FourRegions& a, const FourRegions& b, const 
     return v_select(is_edge, zero, v_trunc(multiply(explained, weight)));
 }
 
+//! How much more than five times as rough one of two regions is as the other one, as far as it is smaller than a fifth
+//! of the usual area.
+v_int32x4 UnionCost::mixtureOf(const v_int16x8& textures, const v_int16x8& others, const v_int32x4& smaller_area) const
+{
+    const int FIVE = 594; // its logarithm
+    const v_int16x8 rougher = v_sub_wrap(v_max(textures, others), v_min(textures, others));
+    const v_int32x4 roughness = v_reinterpret_as_s32(lowerHalves(v_reinterpret_as_s32(rougher)));
+    const v_int32x4 smallness = subtract(log_usual_area_, smaller_area);
+    return v_max(v_min(subtract(roughness, v_setall_s32(FIVE)), subtract(smallness, v_setall_s32(FIVE))),
+                 v_setzero_s32());
+}
+
 //! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
 void UnionCost::findFour(MergeEdge* edges) const
 {
@@ -180,7 +192,8 @@ void UnionCost::findFour(MergeEdge* edges) const
     const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
     const v_int32x4 log_union = logarithm(add(a.area, b.area));
     const v_int32x4 log_area_a = logarithm(a.area), log_area_b = logarithm(b.area);
-    const v_int32x4 relative_length = subtract(length, v_shr<1>(v_min(log_area_a, log_area_b)));
+    const v_int32x4 smaller_area = v_min(log_area_a, log_area_b);
+    const v_int32x4 relative_length = subtract(length, v_shr<1>(smaller_area));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
     const v_int32x4 share_a_cell = equal(a.cell, b.cell); // all bits, or none
@@ -198,6 +211,7 @@ void UnionCost::findFour(MergeEdge* edges) const
     cost = weigh(relative_length, lightness, length_and_lightness_, cost);
     cost = weigh(brightness, chroma, brightness_and_chroma_, cost);
     cost = weigh(smoother, turn, texture_and_direction_, cost);
+    cost = weigh(mixtureOf(textures, other_textures, smaller_area), zero, mixed_, cost);
     v_store(costs, cost);
     for (int k = 0; k < 4; k++)
         edges[k].cost = costs[k];
@@ -218,7 +232,8 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness),
                                        distance.shareOfDetails(rules.chroma))),
       texture_and_direction_(makePairs(-distance.shareOfDetails(rules.texture),
-                                       distance.shareOfDetails(rules.direction)))
+                                       distance.shareOfDetails(rules.direction))),
+      mixed_(makePairs(-distance.shareOfDetails(rules.mixed), 0))
 {
 }
 

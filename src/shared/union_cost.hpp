@@ -22,6 +22,7 @@ struct MergeRules
     int chroma = 0;        //!< a difference of it makes it expensive
     int texture = 0;       //!< of the smoother region makes it cheap: differences mean less there
     int direction = 0;     //!< of textures that run in different ones
+    int mixed = 0;         //!< makes it cheap for a small region that is much rougher than the other one
     int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
     int slope_in_cell = 0; //!< the same between regions of one cell of the grid of markers, or part of a plan
     float grain = 1.5f;    //!< steps for each pixel, in levels, that are noise, and neither slope nor roughness
@@ -102,10 +103,13 @@ struct FourRegions;
 //!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (C + 1)^chroma
 //!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
 //!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
+//!     max(1, min((larger a + b + 1) / (smaller a + b + 1), usual area / smaller n) / 5)^-mixed
 //! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
 //! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
 //! that are no slope, it is
 //!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
+//! Of blocks, q^2 is more by how unlike their rises of lightness are: the mean of their squares less g^2, less a
+//! squared third of a level. On a slope all of them rise alike, at an edge a few rise much.
 //! Colours shade where chroma rises by a tenth of a level to three levels, and a + b is hardly more than the rises of
 //! all channels, by `uneven` and a twentieth of those of chroma. Then g is, across and down, the root of the squares of
 //! all rises, those of chroma times `chroma_slope`; q is 0, and between two such regions more of |g1 - g2| is rounding.
@@ -115,10 +119,11 @@ struct FourRegions;
 //! Parts of a plan are compact as they are, so no slope need count inside of them.
 //! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
 //! colours are equal, and is less in a cell of the grid of markers or a part of a plan. Between rough regions, the same
-//! differences mean less. Without the last factor, what holds both colours of a pattern is nearer to all around it than
-//! these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet end to
-//! end too large earlier, because one of single blocks may become twice as broad; else it is 1. Texture that is not
-//! measured is none. The cost is the same for both orders of the regions.
+//! differences mean less. Without the limit of areas, what holds both colours of a pattern is nearer to all around it
+//! than these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet
+//! end to end too large earlier, because one of single blocks may become twice as broad; else it is 1. The last factor
+//! lets go what is made of blocks astride of an edge: its colour is that of no thing, and a sliver would be left of it.
+//! Texture that is not measured is none. The cost is the same for both orders of the regions.
 class UnionCost
 {
 public:
@@ -131,6 +136,7 @@ public:
 
 private:
     void findFour(MergeEdge* edges) const;
+    v_int32x4 mixtureOf(const v_int16x8& textures, const v_int16x8& others, const v_int32x4& smaller_area) const;
     v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
                        const MergeRegion* const* first, const MergeRegion* const* second) const;
 
@@ -147,7 +153,7 @@ private:
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_excess_, areas_and_contrast_, length_and_lightness_, brightness_and_chroma_,
-            texture_and_direction_; // exponents
+            texture_and_direction_, mixed_; // exponents
 };
 
 }}} // namespace
