@@ -68,11 +68,11 @@ static void removeNear(std::vector<float>& depths, DepthSpan& span)
     if (!leaveFew(begin[few]))
         return;
     std::sort(begin, begin + few);
-    for (auto first = std::find_if(begin, begin + few, leaveFew); first != begin + few; ++first)
-        if (first - std::upper_bound(begin, first, *first / APART) <= hundredth && first - begin > n / 1000)
+    for (auto other = std::find_if(begin, begin + few, leaveFew); other != begin + few; ++other)
+        if (other - std::upper_bound(begin, other, *other / APART) <= hundredth && other - begin > n / 1000)
         {
             span.nearer = true;
-            depths.erase(begin, first);
+            depths.erase(begin, other);
             return;
         }
 }

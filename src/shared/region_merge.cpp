@@ -122,7 +122,7 @@ void SimilarMerger::describeTexture(int region, MergeRegion& record) const
 //! edge a few rise much.
 static float unevennessOf(const RegionTexture& texture, float share)
 {
-    const float FLAT = 0.35f * SLOPE_OF_LEVEL;
+    const float FLAT = 0.35f * float(SLOPE_OF_LEVEL);
     float sum = 0;
     for (int i = 0; i < 2; i++)
     {
