@@ -151,8 +151,8 @@ void SimilarMerger::describeSlope(const RegionTexture& texture, float share, Mer
     for (int i = 0; i < 2; i++)
         record.slope[i] = short(is_shade ? riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope)
                                          : rises[0][i]);
-    const float noise = float(std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64);
-    const float rough = std::sqrt(noise * noise + unevennessOf(texture, share));
+    const int noise = std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
+    const float rough = std::sqrt(float(noise) * float(noise) + unevennessOf(texture, share));
     record.rough = is_shade ? int(IS_SHADE) : cvRound(std::min(rough, float(STEEPEST_SLOPE)));
 }
 
