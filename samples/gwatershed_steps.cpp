@@ -80,10 +80,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     if (regions.size() > plan.num_regions)
     {
         if (plan.sweeps_before_merging > 0)
-        {
-            sweeper.sweepAll(blocks, plan.sweep_before_merging, labels, regions);
-            sweeper.sweepAgain(plan.sweeps_before_merging - 1, blocks, plan.sweep_before_merging, labels, regions);
-        }
+            sweeper.sweepAll(plan.sweeps_before_merging, blocks, plan.sweep_before_merging, labels, regions);
         Mat buffer;
         gws::measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), buffer,
                                   merge_buffers.textures);

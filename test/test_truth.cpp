@@ -50,24 +50,29 @@ double wrongShare(const Ptr<SuperpixelGWatershed>& gws, const Mat& things)
     return 1 - purity(labelsOf(gws), gws->getNumberOfSuperpixels(), things);
 }
 
+//! The mean of a measure over some drawings, in superpixels of 20x20 pixels.
+double meanOverDrawings(int type, int seed, int effort,
+                        const std::function<double(const Ptr<SuperpixelGWatershed>&, const Mat& things)>& measure)
+{
+    const int pictures = 12;
+    double mean = 0;
+    RNG rng(seed);
+    for (int i = 0; i < pictures; i++)
+    {
+        const Drawing drawing = drawThings(type, rng);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(drawing.image, RGWATERSHED, 20);
+        gws->setEffort(effort);
+        gws->iterate();
+        mean += measure(gws, drawing.things) / pictures;
+    }
+    return mean;
+}
+
 // A region with an edge in it rises, but is not the slope that what lies behind the edge is part of.
 TEST(ximgproc_GWatershed_truth, an_edge_between_grays_is_no_slope)
 {
-    const int pictures = 12;
     for (const int& effort : { 1, 2 })
-    {
-        double wrong = 0;
-        RNG rng(17);
-        for (int i = 0; i < pictures; i++)
-        {
-            const Drawing drawing = drawThings(CV_8UC1, rng);
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(drawing.image, RGWATERSHED, 20);
-            gws->setEffort(effort);
-            gws->iterate();
-            wrong += wrongShare(gws, drawing.things) / pictures;
-        }
-        EXPECT_LT(wrong, 0.02) << effort;
-    }
+        EXPECT_LT(meanOverDrawings(CV_8UC1, 17, effort, wrongShare), 0.02) << effort;
 }
 
 // As of a video that is shown line by line.
@@ -96,8 +101,9 @@ TEST(ximgproc_GWatershed_truth, rows_that_alternate_are_no_slope)
 }
 
 //! Share of the superpixels that have no square of 3x3 pixels.
-double shareOfSlivers(const Mat& labels)
+double shareOfSlivers(const Ptr<SuperpixelGWatershed>& gws, const Mat&)
 {
+    const Mat labels = labelsOf(gws);
     std::vector<uchar> is_broad(numberOfLabels(labels), 0);
     for (int y = 0; y + 3 <= labels.rows; y++)
         for (int x = 0; x + 3 <= labels.cols; x++)
@@ -113,21 +119,8 @@ double shareOfSlivers(const Mat& labels)
 // The colour of blocks astride of an edge is that of no thing, so nothing would unite with them.
 TEST(ximgproc_GWatershed_truth, blocks_astride_of_an_edge_do_not_stay_apart)
 {
-    const int pictures = 8;
     for (const int& effort : { 1, 2 })
-    {
-        double slivers = 0;
-        RNG rng(19);
-        for (int i = 0; i < pictures; i++)
-        {
-            Ptr<SuperpixelGWatershed> gws =
-                    createSuperpixelGWatershed(drawThings(CV_8UC3, rng).image, RGWATERSHED, 20);
-            gws->setEffort(effort);
-            gws->iterate();
-            slivers += shareOfSlivers(labelsOf(gws)) / pictures;
-        }
-        EXPECT_LT(slivers, 0.36) << effort;
-    }
+        EXPECT_LT(meanOverDrawings(CV_8UC3, 19, effort, shareOfSlivers), 0.36) << effort;
 }
 
 }} // namespace

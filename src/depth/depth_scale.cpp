@@ -6,6 +6,7 @@
 #include "depth/depth_rows.hpp"
 #include "depth/depth_sample.hpp"
 #include "depth/depth_scale.hpp"
+#include "shared/valid_depth.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -85,6 +86,24 @@ DepthSample sampleFrame(const Mat& depth)
     return total <= ALL || int64(sample.depths.size()) >= ENOUGH ? sample : sampleDepths(depth, 1);
 }
 
+//! Extrema of all measured depths; {0, 0} if there is none.
+FloatRange findExtrema(const Mat& depth)
+{
+    FloatRange range = { FLT_MAX, 0 };
+    std::vector<float> row(depth.cols);
+    for (int y = 0; y < depth.rows; y++)
+    {
+        readDepthRow(depth.row(y), row.data());
+        for (float value : row)
+            if (isValidDepth(value))
+            {
+                range.first = std::min(range.first, value);
+                range.last = std::max(range.last, value);
+            }
+    }
+    return range.last > 0 ? range : FloatRange();
+}
+
 //! The 1st and 99th percentile, so that a few outliers do not matter, or the extrema of all depths where these are the
 //! same. Depths that are all equal become 1, so that those that are infinite differ from them.
 //! @note The paper says only that D is scaled.
@@ -95,13 +114,7 @@ FloatRange findRange(const Mat& depth, std::vector<float>& depths)
         range = rangeWithout(depths.size() / 100, depths);
     if (range.first < range.last)
         return range;
-    const std::vector<float> all = sampleDepths(depth, 1).depths;
-    if (!all.empty())
-    {
-        const auto extrema = std::minmax_element(all.begin(), all.end());
-        range.first = *extrema.first;
-        range.last = *extrema.second;
-    }
+    range = findExtrema(depth);
     if (range.first >= range.last)
         range.last = std::numeric_limits<float>::infinity();
     return range;

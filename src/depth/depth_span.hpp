@@ -18,8 +18,9 @@ struct DepthSpan
 };
 
 //! The depths of a map that get levels, where it becomes surfaces: from a sample, a denser one where holes leave few
-//! depths, and all pixels where those of the sample are all the same. {0, 0} if there are not two depths. What is
-//! farther than a limit is taken for the limit.
+//! depths, and all pixels where those of the sample are all the same. {0, 0} if there are not two depths. farthest
+//! is the far end of a range that was set, or infinity. What is farther than a range is taken for its end, and a few
+//! near depths keep their levels then.
 DepthSpan findSpan(const Mat& depth, float farthest);
 
 }}} // namespace

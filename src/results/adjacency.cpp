@@ -17,19 +17,15 @@ struct Pixel
     uchar b, g, r, depth;
 };
 
-} // namespace
-
 //! Equations (1) to (3) of the paper, 0..255. alpha is in 1/256.
 //! @note If the depth of p or q is missing, colour alone counts.
-static int distance(const Pixel& p, const Pixel& q, int alpha)
+int distance(const Pixel& p, const Pixel& q, int alpha)
 {
     const int color = std::max(std::max(std::abs(p.b - q.b), std::abs(p.g - q.g)), std::abs(p.r - q.r));
     if (p.depth == 0 || q.depth == 0)
         return color;
     return weighByAlpha(alpha, color, std::abs(p.depth - q.depth));
 }
-
-namespace {
 
 //! Contrast of neighbouring pixels: their distance, equations (1) to (3).
 struct PixelContrast

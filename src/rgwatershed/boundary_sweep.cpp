@@ -234,42 +234,51 @@ static void readAhead(const FeatureMap& features, const Range& rows)
     }
 }
 
+//! Those of one of some sweeps, of which so many follow.
+static SweepRules rulesOfOne(const SweepRules& rules, int num_following)
+{
+    SweepRules of_one = rules;
+    of_one.last = rules.last && num_following == 0;
+    return of_one;
+}
+
 //! Masks may be found band by band: the rows beside another band have not moved when it begins.
-void BoundarySweeper::sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
+void BoundarySweeper::sweepAll(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                                Regions& regions)
 {
-    begin(labels.size(), rules.last);
+    const SweepRules first = rulesOfOne(rules, count - 1);
+    begin(labels.size(), first.last);
     sweep([&](const Range& rows, BoundaryList& list)
     {
         findMasks(labels, pixelRows(rows, labels.size().height), masks_);
-        listAll(rows, rules.last, list);
-    }, features, rules, labels, regions);
+        listAll(rows, first.last, list);
+    }, features, first, labels, regions);
+    sweepAgain(count - 1, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
-                                  const SweepRules& rules, Padded<int>& labels, Regions& regions)
+void BoundarySweeper::sweepBlocks(int count, const Padded<int>& blocks, const BlockGrid& grid,
+                                  const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
+                                  Regions& regions)
 {
-    begin(features.size(), rules.last);
+    const SweepRules first = rulesOfOne(rules, count - 1);
+    begin(features.size(), first.last);
     labels.create(features.size(), OUTSIDE);
     sweep([&](const Range& rows, BoundaryList& list)
     {
         const Range pixel_rows = pixelRows(rows, labels.size().height);
         spreadLabels(blocks, grid, pixel_rows, labels);
         findMasksInBlocks(blocks, grid, pixel_rows, masks_);
-        listAll(rows, rules.last, list);
-    }, features, rules, labels, regions);
+        listAll(rows, first.last, list);
+    }, features, first, labels, regions);
+    sweepAgain(count - 1, features, rules, labels, regions);
 }
 
 void BoundarySweeper::sweepAgain(int count, const FeatureMap& features, const SweepRules& rules,
                                  Padded<int>& labels, Regions& regions)
 {
     for (int i = 0; i < count && moved_; i++)
-    {
-        SweepRules now = rules;
-        now.last = rules.last && i + 1 == count;
         sweep([&](const Range& rows, BoundaryList& list) { listMarked(masks_, rows, marks_, list); }, features,
-              now, labels, regions);
-    }
+              rulesOfOne(rules, count - 1 - i), labels, regions);
 }
 
 void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const SweepRules& rules,

@@ -22,7 +22,7 @@ struct SweepRules
     Mat markers;               //!< of the user: pixels with a value of 0 or more stay; may be empty
     VariationGuard* guard = 0; //!< may be 0
     int most_area = INT_MAX;   //!< a larger region gains no pixel, or one with both colours of a pattern would grow on
-    bool last = false;         //!< no sweep follows, and the sums and means of the regions are not needed any more
+    bool last = false;         //!< nothing follows, and the sums and means of the regions are not needed any more
 };
 
 //! Sweeps over the boundary: each of its pixels goes to the neighbouring region of the lowest energy, while each
@@ -34,11 +34,12 @@ struct SweepRules
 class BoundarySweeper
 {
 public:
-    //! Sweeps over the whole boundary.
-    void sweepAll(const FeatureMap& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
+    //! Sweeps over the whole boundary, and then again, count times in all.
+    void sweepAll(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
+                  Regions& regions);
 
     //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first.
-    void sweepBlocks(const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
+    void sweepBlocks(int count, const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
                      const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
     //! Sweeps around the pixels that moved in the sweep before, of the same labels: count times, or until none does.

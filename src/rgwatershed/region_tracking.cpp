@@ -72,9 +72,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     last_.labels.copyTo(labels.view());
     regions.resize(int(last_.errors.size()));
     measureRegions(features, last_.labels, regions);
-    const SweepRules rules = plan.sweepOn(plan.levels.top);
-    sweeper.sweepAll(features, rules, labels, regions);
-    sweeper.sweepAgain(SWEEPS_TO_TRACK - 1, features, rules, labels, regions);
+    sweeper.sweepAll(SWEEPS_TO_TRACK, features, plan.sweepOn(plan.levels.top), labels, regions);
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);

@@ -83,10 +83,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
     Padded<int>& labels = labels_[plan.levels.top];
     BoundarySweeper& sweeper = sweepers_[plan.levels.top];
     if (plan.sweeps_before_merging > 0)
-    {
-        sweeper.sweepAll(features, plan.sweep_before_merging, labels, regions_);
-        sweeper.sweepAgain(plan.sweeps_before_merging - 1, features, plan.sweep_before_merging, labels, regions_);
-    }
+        sweeper.sweepAll(plan.sweeps_before_merging, features, plan.sweep_before_merging, labels, regions_);
     measureBlockTextures(features_, plan.levels, plan.flood_distance, labels, regions_.size(), steps_,
                          merge_buffers.textures);
     merge(plan, plan.levels.top, plan.num_regions, rules, merge_buffers);
@@ -138,17 +135,15 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         SweepRules rules = plan.sweepOn(level);
         if (level == 0 && top > 0)
             rules.distance.normal_share = 0; // pixels have none of their own, and leave blocks across an edge here
-        const bool ends = level == 0 && num_iterations == 1 && !plan.merges_pixels;
-        rules.last = ends && num_sweeps == 1;
+        rules.last = level == 0 && num_iterations == 1 && !plan.merges_pixels;
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
-            sweepers_[level].sweepBlocks(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()),
-                                         features_[level], rules, labels_[level], regions_);
+            sweepers_[level].sweepBlocks(num_sweeps, labels_[level + 1],
+                                         plan.levels.grid(level + 1, frame.color.size()), features_[level], rules,
+                                         labels_[level], regions_);
         else
-            sweepers_[level].sweepAll(features_[level], rules, labels_[level], regions_);
-        rules.last = ends;
-        sweepers_[level].sweepAgain(num_sweeps - 1, features_[level], rules, labels_[level], regions_);
+            sweepers_[level].sweepAll(num_sweeps, features_[level], rules, labels_[level], regions_);
     }
 }
 
@@ -185,7 +180,7 @@ void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, int num_iter
     merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules, merge_buffers);
     SweepRules rules = plan.sweepOn(0);
     rules.last = num_iterations == 1;
-    sweepers_[0].sweepAll(features_[0], rules, labels_[0], regions_);
+    sweepers_[0].sweepAll(1, features_[0], rules, labels_[0], regions_);
 }
 
 //! Each iteration after the first moves pixels where that explains the colours better. Here normals of their blocks

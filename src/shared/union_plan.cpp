@@ -57,6 +57,13 @@ struct RegionPlace
     }
 };
 
+//! Regions of a list that are to be divided.
+struct Group
+{
+    Range range; // in the list
+    int above;   // the part that it is a half of
+};
+
 } // namespace
 
 //! The places of regions in a grid with one cell for each, in the order of their tiles. Centres are those of a sample
@@ -93,17 +100,6 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
     std::sort(places.begin(), places.end());
     return places;
 }
-
-namespace {
-
-//! Regions of a list that are to be divided.
-struct Group
-{
-    Range range; // in the list
-    int above;   // the part that it is a half of
-};
-
-} // namespace
 
 //! Divides the regions of a group into halves, by the longer side of the cells that they lie in.
 static void divide(const Group& group, std::vector<RegionPlace>& places, UnionPlan& plan, std::vector<Group>& groups)
