@@ -72,8 +72,8 @@ cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (the disparity of cv::StereoSGBM, with minDisparity 0) or CV_8UC1 (already scaled, unless a range is set).
 Where it is 0, negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than
-all else, or as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Inverse depth of a monocular
-network is 0 where it is farthest: add a little to it, and unless it has 8 bits set setNormalWeight(0). Depth that is
+all else, or as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Of inverse depth w, as networks
+give it, pass 1 / (w + half of its range) as CV_32FC1: as it is, it would be taken for metric depth. Depth that is
 missing or the same everywhere changes nothing.
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
