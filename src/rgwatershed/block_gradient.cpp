@@ -17,9 +17,9 @@ static ushort gradientAt(const Feature* f, int step, const RegionDistance& dista
     for (int k = 0; k < 3; k++)
         color += std::abs(f[1].color[k] - f[-1].color[k]) + std::abs(f[step].color[k] - f[-step].color[k]);
     if (!f[1].depth || !f[-1].depth || !f[step].depth || !f[-step].depth)
-        return ushort(color >> GRADIENT_SHIFT);
+        return ushort(color >> GRADIENT_STEP_LOG2);
     const int depth = std::abs(f[1].depth - f[-1].depth) + std::abs(f[step].depth - f[-step].depth);
-    return ushort((distance.color_share * color + distance.depth_share * depth) / (FULL_WEIGHT << GRADIENT_SHIFT));
+    return ushort((distance.color_share * color + distance.depth_share * depth) / (FULL_WEIGHT << GRADIENT_STEP_LOG2));
 }
 
 //! The same of 4 blocks without depth.
@@ -28,7 +28,7 @@ static inline v_uint32x4 gradientOfColors(const Feature* f, int step)
     const v_uint8x16 ones = v_setall_u8(1);
     const v_uint8x16 beside = v_absdiff(v_load(f[1].color), v_load(f[-1].color));
     const v_uint8x16 upright = v_absdiff(v_load(f[step].color), v_load(f[-step].color));
-    return v_shr<GRADIENT_SHIFT>(v_dotprod_expand(beside, ones, v_dotprod_expand(upright, ones)));
+    return v_shr<GRADIENT_STEP_LOG2>(v_dotprod_expand(beside, ones, v_dotprod_expand(upright, ones)));
 }
 
 //! The same with depth. Shares are those of colour and of depth, four times.
@@ -43,8 +43,8 @@ static inline v_uint32x4 gradientOfColorsAndDepths(const Feature* f, int step, c
     const v_uint32x4 lowest = v_shr<24>(v_reinterpret_as_u32(v_min(v_min(left, right), v_min(upper, lower))));
     const v_int32x4 have_depth = isPositive(v_reinterpret_as_s32(lowest));
     const v_int16x8 pairs = v_reinterpret_as_s16(add(color, v_shl<16>(depth)));
-    const v_int32x4 with = v_shr<GRADIENT_SHIFT + 8>(v_dotprod(pairs, shares)); // weights are in 1/256
-    const v_int32x4 without = v_reinterpret_as_s32(v_shr<GRADIENT_SHIFT>(color));
+    const v_int32x4 with = v_shr<GRADIENT_STEP_LOG2 + FULL_WEIGHT_LOG2>(v_dotprod(pairs, shares));
+    const v_int32x4 without = v_reinterpret_as_s32(v_shr<GRADIENT_STEP_LOG2>(color));
     return v_reinterpret_as_u32(add(without, bitAnd(subtract(with, without), have_depth)));
 }
 

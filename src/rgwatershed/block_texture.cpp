@@ -33,7 +33,8 @@ static v_int32x4 meanStep(const Steps& low, const Steps& high, const v_int16x8& 
 {
     v_int32x4 first_halves, second_halves; // two sums of channels for each block
     splitPairs(v_dotprod(low.sum, weights), v_dotprod(high.sum, weights), first_halves, second_halves);
-    return v_shr<6>(add(first_halves, second_halves)); // of 2 * FULL_WEIGHT for a level
+    // Two steps, with weights: a quarter of them is half of their mean.
+    return v_shr<2 + FULL_WEIGHT_LOG2 - STEPS_PER_LEVEL_LOG2>(add(first_halves, second_halves));
 }
 
 //! The rises of two blocks, across and down in turns, and in the place of those of depth a word of steps.

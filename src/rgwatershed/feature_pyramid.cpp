@@ -53,8 +53,9 @@ static inline v_uint8x16 twelfths(const v_uint8x16& a, const v_uint8x16& b, cons
 //! Sums in twelfths, divided by 12 and rounded.
 static inline v_int16x8 divideByTwelve(const v_uint16x8& sums, const v_uint16x8& factors)
 {
+    const int TWELFTH = 5462; // in 1/65536: rounded up, which makes the quotients of all sums right
     const v_uint16x8 rounded = v_add_wrap(v_mul_wrap(sums, factors), v_setall_u16(6));
-    return v_reinterpret_as_s16(v_mul_hi(rounded, v_setall_u16(5462)));
+    return v_reinterpret_as_s16(v_mul_hi(rounded, v_setall_u16(TWELFTH)));
 }
 
 static inline v_int16x8 divideByFour(const v_uint16x8& sums)

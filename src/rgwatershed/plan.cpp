@@ -96,7 +96,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
     const double priority = FLOOD_RULER * std::max(ruler, 10.f); // less makes fringes along the lines of a ramp
-    return cvRound(std::min(4096 * priority / std::sqrt(num_blocks / num_markers_there), double(INT_MAX)));
+    const double of_level = STEPS_PER_LEVEL * FULL_WEIGHT, blocks_apart = std::sqrt(num_blocks / num_markers_there);
+    return cvRound(std::min(of_level * priority / blocks_apart, double(INT_MAX)));
 }
 
 int Plan::usualFloodArea(double num_blocks, int num_markers_there) const

@@ -42,11 +42,11 @@ public:
     {
         const Point offset = region.middle - 2 * at;
         const v_uint16x8 bytes = v_reinterpret_as_u16(features);
-        const v_int16x8 even = v_reinterpret_as_s16(v_shr<4>(v_shl<8>(bytes))); // in 1/16, as the means
-        const v_int16x8 odd = v_reinterpret_as_s16(v_shl<4>(v_shr<8>(bytes)));
+        const v_int16x8 even = v_reinterpret_as_s16(v_shr<8 - STEPS_PER_LEVEL_LOG2>(v_shl<8>(bytes))); // in steps
+        const v_int16x8 odd = v_reinterpret_as_s16(v_shl<STEPS_PER_LEVEL_LOG2>(v_shr<8>(bytes)));
         const v_int16x8 even_away = difference(even, setPair(region.means[0], region.means[1]));
         const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
-        const v_int32x4 least = v_setall_s32(excess << 12);
+        const v_int32x4 least = v_setall_s32(excess << LEVEL_LOG2);
         v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
         if (WITH_DEPTH && region.sum.depth_area > 0)
         {
@@ -60,11 +60,12 @@ public:
         const v_int16x8 v = difference(limit(offsets), v_int16x8(-2, 0, 0, -2, 2, 0, 0, 2));
         const v_int16x8 swapped = difference(limit(turned), v_int16x8(0, -2, -2, 0, 0, 2, 2, 0));
         away = v_dotprod(v, both_, v_dotprod(v_max(v, swapped), longer_, away));
-        const v_int32x4 priorities = v_shr<10>(away);
+        const v_int32x4 priorities = v_shr<LEVEL_LOG2 - FloodBuffers::PRIORITIES_PER_LEVEL_LOG2>(away);
         return v_pack(priorities, priorities);
     }
 
 private:
+    enum { LEVEL_LOG2 = STEPS_PER_LEVEL_LOG2 + FULL_WEIGHT_LOG2 }; // weighted steps in a level
     enum { FARTHEST = 8000 }; // in halves of blocks, so that sums fit into 32 bits
 
     static short weigh(int ruler, int part) { return short(std::min(int64(ruler) * part / 64, int64(SHRT_MAX))); }
@@ -148,7 +149,7 @@ private:
     //! block of the other colour. So it must not grow without end.
     int excessOf(const FloodRegion& region) const
     {
-        const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES / 4; // a priority is a quarter of a level
+        const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES >> FloodBuffers::PRIORITIES_PER_LEVEL_LOG2;
         return std::min(std::max(region.sum.area - usual_area_, 0), MOST / LEVELS_PER_BLOCK) * LEVELS_PER_BLOCK;
     }
 

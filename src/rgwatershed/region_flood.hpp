@@ -57,7 +57,7 @@ struct FloodRegion
 //! Buffers of a flood.
 struct FloodBuffers
 {
-    enum { PRIORITIES = 1024, MOST_GROUPS = 32 };
+    enum { PRIORITIES = 1024, PRIORITIES_PER_LEVEL_LOG2 = 2, MOST_GROUPS = 32 };
 
     struct Band
     {

@@ -18,7 +18,7 @@ static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at 
 static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
                                                // effort, buffers of merging would be most of the memory: not kept
 enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
-enum { GRADIENT_SHIFT = 5 };                   // gradients of blocks are told apart in steps of 32 grey levels, so that
+enum { GRADIENT_STEP_LOG2 = 5 };               // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
 static const double FLOOD_RULER = 0.4;         // priority in grey levels, by ruler, one grid step from the marker

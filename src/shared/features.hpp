@@ -11,9 +11,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Fixed-point units of means, distances and weights.
-static const int STEPS_PER_LEVEL = 16; //!< of the 8-bit grey levels of a feature: means and distances are in these
-static const int FULL_WEIGHT = 256;    //!< a weight of 1
+//! Fixed-point units of means, distances and weights. Everywhere, a shift by NAME_LOG2 multiplies or divides by NAME.
+static const int STEPS_PER_LEVEL_LOG2 = 4, FULL_WEIGHT_LOG2 = 8;
+static const int STEPS_PER_LEVEL = 1 << STEPS_PER_LEVEL_LOG2; //!< of the 8-bit grey levels of a feature: the unit of
+                                                              //!< means and distances
+static const int FULL_WEIGHT = 1 << FULL_WEIGHT_LOG2;         //!< a weight of 1
 
 //! A pixel, or a block of pixels, as RGWATERSHED compares it: lightness and two colour differences
 //! of an opponent space, and scaled depth, 0 if missing.

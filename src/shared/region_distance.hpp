@@ -67,7 +67,7 @@ public:
         return with_depth ? exponent * std::min(2 * color_share, int(FULL_WEIGHT)) / FULL_WEIGHT : exponent;
     }
 
-    //! Distances of four pairs of pixels.
+    //! Distances of four pairs of pixels, in steps.
     template <bool WITH_DEPTH> v_int32x4 between(const v_uint8x16& f, const v_uint8x16& g) const
     {
         v_uint16x8 low, high;
@@ -81,7 +81,8 @@ public:
             first = choose(no_depth, 0);
             second = choose(no_depth, 2);
         }
-        return v_shr<4>(dotProduct(colors, first, dotProduct(depths, second, v_setzero_s32())));
+        return v_shr<FULL_WEIGHT_LOG2 - STEPS_PER_LEVEL_LOG2>(
+                dotProduct(colors, first, dotProduct(depths, second, v_setzero_s32())));
     }
 
     //! The square of the distance of a pixel to a region, in squared levels.
@@ -154,13 +155,18 @@ private:
         return pair;
     }
 
+    static v_int16x8 stepsOf(const v_uint16x8& levels)
+    {
+        return v_reinterpret_as_s16(v_shl<STEPS_PER_LEVEL_LOG2>(levels));
+    }
+
     //! Four features, in steps.
     static void loadFeatures(const Feature* const* f, v_int16x8& low, v_int16x8& high)
     {
         v_uint16x8 low_levels, high_levels;
         v_expand(loadFour(*f[0], *f[1], *f[2], *f[3]), low_levels, high_levels);
-        low = v_reinterpret_as_s16(v_shl<4>(low_levels));
-        high = v_reinterpret_as_s16(v_shl<4>(high_levels));
+        low = stepsOf(low_levels);
+        high = stepsOf(high_levels);
     }
 
     //! Normal, slopes and base are the first three words.
@@ -198,8 +204,8 @@ private:
     //! @note Distances fit into the lower half.
     static v_int32x4 squareOf(const v_int32x4& sum)
     {
-        const v_int16x8 d = v_reinterpret_as_s16(v_shr<8>(sum));
-        return v_shr<8>(v_dotprod(d, d));
+        const v_int16x8 d = v_reinterpret_as_s16(v_shr<FULL_WEIGHT_LOG2>(sum));
+        return v_shr<2 * STEPS_PER_LEVEL_LOG2>(v_dotprod(d, d));
     }
 
     //! All bits where the second of a pair of values is missing: 0 in a feature, less in a mean.
@@ -232,9 +238,9 @@ private:
     {
         v_int16x8 places, rest;
         v_zip(v_pack(x, x), v_setall_s16(short(y)), places, rest);
-        const v_int32x4 depths = v_shr<6>(v_dotprod(v_reinterpret_as_s16(slopes), places, bases));
-        const v_int16x8 lowest = v_setall_s16(STEPS_PER_LEVEL), highest = v_setall_s16(255 * STEPS_PER_LEVEL);
-        return v_min(v_max(v_pack(depths, depths), lowest), highest);
+        const v_int32x4 depths = v_dotprod(v_reinterpret_as_s16(slopes), places, bases);
+        const v_int32x4 steps = v_shr<SurfaceMean::PLANE_UNIT_LOG2>(depths);
+        return SurfaceMean::limit(v_pack(steps, steps));
     }
 
     //! Pairs with other second values.
@@ -253,7 +259,7 @@ private:
         v_uint16x8 low, high;
         v_expand(loadFour(*n[0], *n[1], *n[2], *n[3]), low, high);
         v_int32x4 normals, rest;
-        splitPairs(v_reinterpret_as_s16(v_shl<4>(low)), v_reinterpret_as_s16(v_shl<4>(high)), normals, rest);
+        splitPairs(stepsOf(low), stepsOf(high), normals, rest);
         const v_int16x8 lower = v_min(v_reinterpret_as_s16(normals), v_reinterpret_as_s16(means));
         const v_int16x8 known = v_sub_wrap(v_setzero_s16(), v_min(lower, v_setall_s16(1)));
         const v_int16x8 shares = bitAnd(v_setall_s16(short(normal_share)), known);

@@ -23,10 +23,10 @@ static inline uint64 priceOf(int cost, int a, int b)
     return (uint64(unsigned(cost) ^ 0x80000000u) << 32) | unsigned(a ^ b);
 }
 
-static inline int neighborOf(int region, uint64 price)
-{
-    return int(unsigned(price)) ^ region;
-}
+//! Larger for a larger cost, without a sign.
+static inline unsigned costOf(uint64 price) { return unsigned(price >> 32); }
+
+static inline int neighborOf(int region, uint64 price) { return int(unsigned(price)) ^ region; }
 
 SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
                              Regions& regions, const UnionPlan& plan)
@@ -167,7 +167,7 @@ MergeRegion SimilarMerger::describe(int region) const
                            0, 0, float(sum.color[0] + 16 * int64(sum.area)) * scale,
                            plan_.parts.empty() ? region / rules_.in_cell : plan_.parts[region], 0 };
     for (int k = 0; k < 3; k++)
-        record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> 8);
+        record.mean[k] = short((distance_.weights[0][k] * mean.color[k]) >> FULL_WEIGHT_LOG2);
     if (!b_.textures.empty())
         describeTexture(region, record);
     return record;
@@ -294,7 +294,7 @@ struct CostBins
     }
 
     //! Dearer ones are beyond the last bin.
-    unsigned operator()(uint64 price) const { return (unsigned(price >> 32) - lowest) >> shift; }
+    unsigned operator()(uint64 price) const { return (costOf(price) - lowest) >> shift; }
 
     enum { COUNT = 1024 };
     const unsigned lowest;
@@ -306,7 +306,7 @@ struct CostBins
 //! image would unite cells, and leave parts of others.
 size_t SimilarMerger::countTimely(const CostBins& bins, size_t num_to_do) const
 {
-    const unsigned DOUBLED = 1 << 14; // cost
+    const unsigned DOUBLED = LOG_ONE * EXPONENT_ONE; // cost, which is a logarithm
     if (num_to_do >= b_.chosen.size())
         return b_.chosen.size();
     std::vector<int> wishes(CostBins::COUNT, 0); // each pair is the wish of two regions
@@ -333,7 +333,7 @@ void SimilarMerger::choose(size_t count, size_t num_to_do)
     unsigned lowest = UINT_MAX, highest = 0;
     for (size_t i = 0; i < b_.chosen.size(); i++)
     {
-        const unsigned cost = unsigned(b_.chosen[i].price >> 32);
+        const unsigned cost = costOf(b_.chosen[i].price);
         lowest = std::min(lowest, cost);
         highest = std::max(highest, cost);
     }
@@ -363,7 +363,7 @@ void SimilarMerger::choose(size_t count, size_t num_to_do)
 //! What took in so many that it is larger than usual, and twice as large as it was, takes in no more.
 void SimilarMerger::chooseOneSided(double share, size_t most)
 {
-    const int MANY = 16, DOUBLED = 256;
+    const int MANY = 16, DOUBLED = LOG_ONE; // area
     std::vector<MergePair> wishes;
     std::vector<int> votes(regions_.size(), 0);
     for (size_t k = 0; k < b_.bands.size(); k++)

@@ -25,7 +25,9 @@ struct RegionMean
     enum { NO_DEPTH = -1 };
 };
 
-static const int64 FIXED_ONE = int64(1) << 48; //!< STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits
+//! The unit of reciprocals: STEPS_PER_LEVEL * sum / area * FIXED_ONE fits into 64 bits.
+static const int FIXED_ONE_LOG2 = 48;
+static const int64 FIXED_ONE = int64(1) << FIXED_ONE_LOG2;
 
 //! FIXED_ONE over the areas that most regions have while they are flooded: everything waits for a division there.
 struct Reciprocals
@@ -85,7 +87,7 @@ struct RegionSum
 private:
     static short multiply(int64 sum, int64 reciprocal)
     {
-        return short((STEPS_PER_LEVEL * sum * reciprocal + FIXED_ONE / 2) >> 48);
+        return short((STEPS_PER_LEVEL * sum * reciprocal + FIXED_ONE / 2) >> FIXED_ONE_LOG2);
     }
 };
 

@@ -35,7 +35,7 @@ void SurfaceSum::divideBlocks(int side, int depth_area)
     y = elements * side * y + middle;
 }
 
-static const int RAY = 4096; // the unit of rays
+static const int RAY_LOG2 = 12, RAY = 1 << RAY_LOG2; // the unit of rays
 
 //! Quotients of sums in 1/`unit`, rounded.
 static v_int32x4 divide(const v_float32x4& sums, const v_float32x4& counts, int unit)
@@ -63,9 +63,9 @@ static v_int32x4 raysOf(const v_int32x4& centers, int axis, float per_focal)
 
 static v_int32x4 slopesOf(const v_int32x4& normals, const v_float32x4& scales, float per_focal)
 {
-    const v_float32x4 steepest = v_setall_f32(1 << 14);
+    const float STEEPEST = 1 << 14; // fits into 16 bits
     const v_float32x4 slopes = multiply(multiply(v_cvt_f32(normals), scales), v_setall_f32(per_focal));
-    return v_trunc(v_max(v_min(slopes, steepest), v_setall_f32(-(1 << 14))));
+    return v_trunc(v_max(v_min(slopes, v_setall_f32(STEEPEST)), v_setall_f32(-STEEPEST)));
 }
 
 namespace {
@@ -112,7 +112,7 @@ void SurfaceSolver::solve(const Source* sources, SurfaceMean* means) const
                                                                  raysOf(sums.center_y, axis_y_, per_focal_.y));
     const v_float32x4 forward = v_cvt_f32(subtract(v_setall_s32(ONE * ONE), v_dotprod(across, across)));
     const v_int32x4 nz = v_trunc(v_sqrt(v_max(forward, v_setzero_f32())));
-    const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<12>(nz)));
+    const v_float32x4 facing = v_cvt_f32(v_dotprod(across, rays, v_shl<RAY_LOG2>(nz)));
     const float LEAST_FACING = float(ONE * RAY) / 16; // planes seen more edge-on than this are noise
     const v_float32x4 above_horizon = v_cvt_f32(subtract(sums.depths, v_setall_s32(horizon_)));
     const v_float32x4 scales = multiply(divide(above_horizon, v_max(facing, v_setall_f32(LEAST_FACING))),

@@ -19,7 +19,9 @@ struct SurfaceMean
     int base;               //!< depth of the plane at (0, 0), in the same unit
     Point center;           //!< of the pixels with depth, in 1/CENTER_UNIT of an element
 
-    enum { PLANE_UNIT = 1 << 6, CENTER_UNIT = 16 };
+    enum { PLANE_UNIT_LOG2 = 6, PLANE_UNIT = 1 << PLANE_UNIT_LOG2 };
+    enum { CENTER_UNIT_LOG2 = 4, CENTER_UNIT = 1 << CENTER_UNIT_LOG2 };
+    enum { LOWEST_DEPTH = STEPS_PER_LEVEL, HIGHEST_DEPTH = 255 * STEPS_PER_LEVEL };
 
     bool known() const { return x != 0; }
 
@@ -33,10 +35,18 @@ struct SurfaceMean
     //! From blocks to the side x side elements in each.
     void divideBlocks(int side, int depth);
 
-    //! The depth of the plane, in steps. Nearness ends at 1 and 255, and so does the plane.
-    int depthAt(int at_x, int at_y) const { return limit((base + slope_x * at_x + slope_y * at_y) >> 6); }
+    //! The depth of the plane, in steps.
+    int depthAt(int at_x, int at_y) const
+    {
+        return limit((base + slope_x * at_x + slope_y * at_y) >> PLANE_UNIT_LOG2);
+    }
 
-    static int limit(int depth) { return std::min(std::max(depth, STEPS_PER_LEVEL), 255 * STEPS_PER_LEVEL); }
+    //! Nearness ends at 1 and 255, and so do planes.
+    static int limit(int depth) { return std::min(std::max(depth, int(LOWEST_DEPTH)), int(HIGHEST_DEPTH)); }
+    static v_int16x8 limit(const v_int16x8& depths)
+    {
+        return v_min(v_max(depths, v_setall_s16(LOWEST_DEPTH)), v_setall_s16(HIGHEST_DEPTH));
+    }
 };
 
 //! How much larger the surface is that an element at some depth, in steps, stands for than one at the near end.

@@ -8,7 +8,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
-enum { EXCESS = 32 * 64 }; // exponent of the area of a union beyond the usual, in 1/64
+enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond the usual
 
 //! The words of four records: one vector for each.
 struct FourRegions
@@ -37,7 +37,7 @@ struct FourRegions
 
 static inline v_int32x4 logarithm(const v_float32x4& values)
 {
-    return subtract(v_shr<15>(v_reinterpret_as_s32(values)), v_setall_s32(127 << 8));
+    return subtract(v_shr<LOG_SHIFT>(v_reinterpret_as_s32(values)), v_setall_s32(LOG_BIAS));
 }
 
 static inline v_int32x4 logarithm(const v_int32x4& values) { return logarithm(v_cvt_f32(values)); }
@@ -86,12 +86,11 @@ static v_int32x4 depthBetween(const FourSurfaces& a, const FourSurfaces& b, cons
     const v_int32x4 x = subtract(b.center_x, a.center_x), y = subtract(b.center_y, a.center_y);
     v_int16x8 away, rest; // farther than 2047 elements is as far as that
     v_zip(v_pack(x, x), v_pack(y, y), away, rest);
-    // In 1 / (PLANE_UNIT * CENTER_UNIT): the rise of a to b, the fall of b to a.
-    const v_int32x4 rise = v_shr<10>(v_dotprod(v_reinterpret_as_s16(a.slopes), away));
-    const v_int32x4 fall = v_shr<10>(v_dotprod(v_reinterpret_as_s16(b.slopes), away));
-    const v_int16x8 depths = v_pack(add(depth_a, rise), subtract(depth_b, fall));
-    const v_int16x8 lowest = v_setall_s16(STEPS_PER_LEVEL), highest = v_setall_s16(255 * STEPS_PER_LEVEL);
-    const v_uint16x8 steps = v_absdiff(v_min(v_max(depths, lowest), highest), v_pack(depth_b, depth_a));
+    const int UNIT_LOG2 = SurfaceMean::PLANE_UNIT_LOG2 + SurfaceMean::CENTER_UNIT_LOG2;
+    const v_int32x4 rise = v_shr<UNIT_LOG2>(v_dotprod(v_reinterpret_as_s16(a.slopes), away)); // of a to b
+    const v_int32x4 fall = v_shr<UNIT_LOG2>(v_dotprod(v_reinterpret_as_s16(b.slopes), away)); // of b to a
+    const v_int16x8 depths = SurfaceMean::limit(v_pack(add(depth_a, rise), subtract(depth_b, fall)));
+    const v_uint16x8 steps = v_absdiff(depths, v_pack(depth_b, depth_a));
     v_uint32x4 nearest, others;
     v_expand(v_min(steps, v_extract<4>(steps, steps)), nearest, others);
     return v_reinterpret_as_s32(nearest);
@@ -104,7 +103,7 @@ static v_int32x4 squaredTurn(const v_int32x4& a, const v_int32x4& b, int share)
     const v_int16x8 known = v_sub_wrap(v_setzero_s16(), v_min(v_min(first, second), v_setall_s16(1)));
     const v_int16x8 turn = bitAnd(v_sub_wrap(first, second), known);
     const v_int32x4 x = v_dotprod(turn, makePairs(share, 0)), y = v_dotprod(turn, makePairs(0, share));
-    const v_int16x8 weighted = makePairs(v_shr<8>(x), v_shr<8>(y));
+    const v_int16x8 weighted = makePairs(v_shr<FULL_WEIGHT_LOG2>(x), v_shr<FULL_WEIGHT_LOG2>(y));
     return v_dotprod(weighted, weighted);
 }
 
@@ -124,7 +123,8 @@ v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, 
     }
     else
         step = v_reinterpret_as_s32(v_absdiff(depth_a, depth_b));
-    const v_int32x4 depth = v_shr<8>(v_dotprod(lowerHalves(step), makePairs(distance_.depth_share, 0)));
+    const v_int32x4 weighted = v_dotprod(lowerHalves(step), makePairs(distance_.depth_share, 0));
+    const v_int32x4 depth = v_shr<FULL_WEIGHT_LOG2>(weighted);
     sum = v_dotprod(lowerHalves(depth), lowerHalves(depth), sum);
     const v_int32x4 missing = v_shr<31>(v_min(depth_a, depth_b)); // all bits
     return add(sum, bitAnd(subtract(of_colors, sum), missing));

@@ -9,7 +9,10 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/64.
+//! The unit of the exponents of costs.
+enum { EXPONENT_ONE = 64 };
+
+//! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/EXPONENT_ONE.
 struct MergeRules
 {
     int distance = 0;      //!< of the means
@@ -85,12 +88,16 @@ struct MergeRegion
 };
 static_assert(sizeof(MergeRegion) == 32, "it is read as two vectors");
 
-//! log2 in 1/256 for value >= 1, linear between the powers of two: the bits of a float are just that.
+//! Logarithms to the base 2 are in 1/LOG_ONE, and linear between the powers of two. The bits of a float are just that:
+//! its exponent, plus 127, with 23 bits behind the point.
+enum { LOG_ONE_LOG2 = 8, LOG_ONE = 1 << LOG_ONE_LOG2, LOG_SHIFT = 23 - LOG_ONE_LOG2, LOG_BIAS = 127 * LOG_ONE };
+
+//! For value >= 1.
 inline int logarithm(float value)
 {
     Cv32suf bits;
     bits.f = value;
-    return (bits.i >> 15) - (127 << 8);
+    return (bits.i >> LOG_SHIFT) - LOG_BIAS;
 }
 
 struct FourRegions;
