@@ -9,8 +9,8 @@
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/mask_pyramid.hpp"
 #include "shared/frame.hpp"
+#include "shared/merge_rules.hpp"
 #include "shared/parameters.hpp"
-#include "shared/region_merge.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

@@ -5,8 +5,9 @@
 #ifndef OPENCV_GWATERSHED_TUNING_HPP
 #define OPENCV_GWATERSHED_TUNING_HPP
 
+#include "shared/merge_rules.hpp"
 #include "shared/parameters.hpp"
-#include "shared/region_merge.hpp"
+#include "shared/region_distance.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 

@@ -5,30 +5,10 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
-#include "shared/region_measure.hpp"
-#include "shared/union_cost.hpp"
-#include "shared/union_plan.hpp"
+#include "shared/merge_graph.hpp"
+#include "shared/pair_choice.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
-
-//! A union that may be done in a round.
-struct MergePair
-{
-    MergePair() {}
-    MergePair(uint64 price_, int from_, int to_) : price(price_), from(from_), to(to_) {}
-
-    uint64 price;
-    int from, to;
-
-    bool operator<(const MergePair& p) const { return price < p.price || (price == p.price && from < p.from); }
-};
-
-//! What a round knows of the regions of a band.
-struct MergeBand
-{
-    std::vector<int> active;      //!< that are left and have neighbours, in order
-    std::vector<MergePair> pairs;
-};
 
 //! Buffers of merging. The graph and the textures are also its input.
 struct MergeBuffers
@@ -41,10 +21,7 @@ struct MergeBuffers
     std::vector<int> parents;       // the region that took each one in, or itself
     std::vector<uchar> changed;     // took in others in this round
     std::vector<MergePair> chosen;
-    std::vector<int> counts;        // of pairs in each bin of costs
 };
-
-struct CostBins;
 
 //! Merges pairs of neighbouring regions in rounds of mutual best neighbours.
 class SimilarMerger
@@ -68,9 +45,6 @@ public:
 private:
     void start();
     void expect(int num_regions);
-    void describeTexture(int region, MergeRegion& record) const;
-    void describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const;
-    MergeRegion describe(int region) const;
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
     void findCosts(int k, std::vector<int>& table);
@@ -78,22 +52,20 @@ private:
     void findPairs();
     void findPairs(int band);
     size_t countWelcome(size_t num_pairs) const;
-    size_t countTimely(const CostBins& bins, size_t num_to_do) const;
-    void choose(size_t count, size_t num_to_do);
-    void chooseOneSided(double share, size_t most);
     void unite(bool one_sided);
     void unite(const Range& pairs);
     void unite(const MergePair* first, const MergePair* end, std::vector<int>& grown);
 
     const RegionDistance distance_;
     const MergeRules rules_;
-    UnionPlan plan_;     // empty: the cells of the rules count
+    UnionPlan plan_; // empty: the cells of the rules count
+    MergeBuffers& b_;
+    Regions& regions_;
+    const RegionDescriber describer_;
+    int num_left_;
     double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
     bool expects_anew_;  // another area than the known costs have
-    MergeBuffers& b_;
-    Regions& regions_;
-    int num_left_;
 };
 
 }}} // namespace

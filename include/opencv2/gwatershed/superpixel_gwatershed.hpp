@@ -209,7 +209,7 @@ public:
     slope that both are parts of, all directions cost alike. The distances are those of RGWATERSHED, in its opponent
     space or in the channels of setLabInput(true), with surfaces if there are any; alpha weighs depth. Where colours are
     equal, a plan decides: it divides the image into tiles of ten superpixels, and these into halves, to single ones.
-    The formula and its constants stand in src/shared/union_cost.hpp.
+    The formula stands in src/shared/union_cost.hpp, its constants in src/shared/merge_rules.hpp.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
