@@ -73,15 +73,14 @@ int RegionChoice::squaredDistance(int pixel, int y, int region) const
     return distance_.squared(feature, map_.normalAt(p), mean, surfaces_[region], p);
 }
 
-//! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
-//! passed over here, in loops without branches, because no processor can predict which they are.
+//! The pixels that are so far from the mean of their own region that another one may win them.
 template <RegionChoice::Content CONTENT>
-void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
+void RegionChoice::keepDistant(const int* pixels, int n, int y, OpenPixels& open) const
 {
     if (CONTENT == SURFACE) // pixels behind the last one may be of another row, and have no normal in this one
     {
         std::copy_n(pixels, n, open.indices);
-        std::fill_n(open.indices + n, 3, pixels[0]);
+        std::fill_n(open.indices + n, int(OpenPixels::NUM_BEHIND), pixels[0]);
         pixels = open.indices;
     }
     measure<CONTENT>(pixels, n, y, [&](int pixel) { return labels_[pixel]; }, open.first);
@@ -93,11 +92,16 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
         open.slack[count] = slack;
         count += slack > 0;
     }
+    open.count = count;
+}
 
-    std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<CONTENT>(open.indices, count, y, [&](int pixel) { return neighborOf(pixel, first_offsets_); }, open.first);
-    n = count;
-    count = 0;
+//! Of these, those that the region of the first neighbour may win, or those beside several regions, or tips.
+template <RegionChoice::Content CONTENT> void RegionChoice::keepNearFirst(int y, OpenPixels& open) const
+{
+    measure<CONTENT>(open.indices, open.count, y, [&](int pixel) { return neighborOf(pixel, first_offsets_); },
+                     open.first);
+    const int n = open.count;
+    int count = 0;
     for (int i = 0; i < n; i++)
     {
         const int index = open.indices[i], slack = open.slack[i], square = open.first[i], mask = masks_[index];
@@ -107,19 +111,39 @@ void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) c
         open.first[count] = square;
         count += (square < slack) | several | table_.isTip(mask);
     }
+    open.count = count;
+}
 
-    std::fill_n(open.indices + count, 3, pixels[0]);
-    measure<CONTENT>(open.indices, count, y, [&](int pixel) { return neighborOf(pixel, last_offsets_); }, open.last);
-    open.count = 0;
-    for (int i = 0; i < count; i++)
+//! Of these, those that the first or the last region may win, or tips, which may have a third one.
+template <RegionChoice::Content CONTENT> void RegionChoice::keepNearLast(int y, OpenPixels& open) const
+{
+    measure<CONTENT>(open.indices, open.count, y, [&](int pixel) { return neighborOf(pixel, last_offsets_); },
+                     open.last);
+    const int n = open.count;
+    int count = 0;
+    for (int i = 0; i < n; i++)
     {
         const int index = open.indices[i], slack = open.slack[i], first = open.first[i], last = open.last[i];
-        open.indices[open.count] = index;
-        open.slack[open.count] = slack;
-        open.first[open.count] = first;
-        open.last[open.count] = last;
-        open.count += (first < slack) | (last < slack) | table_.isTip(masks_[index]);
+        open.indices[count] = index;
+        open.slack[count] = slack;
+        open.first[count] = first;
+        open.last[count] = last;
+        count += (first < slack) | (last < slack) | table_.isTip(masks_[index]);
     }
+    open.count = count;
+}
+
+//! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
+//! passed over here, in loops without branches, because no processor can predict which they are: each pixel is written,
+//! and the next one overwrites it if it is not kept.
+template <RegionChoice::Content CONTENT>
+void RegionChoice::findOpen(const int* pixels, int n, int y, OpenPixels& open) const
+{
+    keepDistant<CONTENT>(pixels, n, y, open);
+    std::fill_n(open.indices + open.count, int(OpenPixels::NUM_BEHIND), pixels[0]);
+    keepNearFirst<CONTENT>(y, open);
+    std::fill_n(open.indices + open.count, int(OpenPixels::NUM_BEHIND), pixels[0]);
+    keepNearLast<CONTENT>(y, open);
 }
 
 void RegionChoice::compare(int pixel, int square, Choice& choice) const

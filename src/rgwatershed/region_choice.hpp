@@ -36,10 +36,10 @@ public:
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
-    //! Pixels that another region may win. Behind the last one is room for three more.
+    //! Pixels that another region may win. Behind the last one is room for some more: four are measured at a time.
     struct OpenPixels
     {
-        enum { ROOM = BATCH + 3 };
+        enum { NUM_BEHIND = 3, ROOM = BATCH + NUM_BEHIND };
         int count;
         int indices[ROOM];
         int slack[ROOM]; // squared distance below which a region wins that has all neighbours but those of its own
@@ -67,6 +67,9 @@ private:
     enum Content { COLOR, DEPTH, PLANE, SURFACE };
 
     template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
+    template <Content CONTENT> void keepDistant(const int* pixels, int n, int y, OpenPixels& open) const;
+    template <Content CONTENT> void keepNearFirst(int y, OpenPixels& open) const;
+    template <Content CONTENT> void keepNearLast(int y, OpenPixels& open) const;
     template <Content CONTENT, typename RegionOf>
     void measure(const int* pixels, int n, int y, const RegionOf& regionOf, int* squares) const;
 
