@@ -13,7 +13,7 @@ enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond t
 //! The words of four records: one vector for each.
 struct FourRegions
 {
-    explicit FourRegions(const MergeRegion* const* regions)
+    explicit FourRegions(const MergeRegion* const* regions_) : regions(regions_)
     {
         v_int32x4 words[4], areas, lights;
         const auto load = [&](int k, int half)
@@ -30,6 +30,7 @@ struct FourRegions
         light = v_reinterpret_as_f32(lights);
     }
 
+    const MergeRegion* const* regions;
     v_int32x4 first_means, last_mean, slopes, textures; // pairs of 16 bits
     v_int32x4 cell, rough;
     v_float32x4 area, light;
@@ -41,6 +42,22 @@ static inline v_int32x4 logarithm(const v_float32x4& values)
 }
 
 static inline v_int32x4 logarithm(const v_int32x4& values) { return logarithm(v_cvt_f32(values)); }
+
+//! Logarithms of the areas of four pairs of regions.
+struct FourAreas
+{
+    FourAreas(const FourRegions& a, const FourRegions& b)
+        : both(logarithm(add(a.area, b.area)))
+    {
+        const v_int32x4 first = logarithm(a.area), second = logarithm(b.area);
+        smaller = v_min(first, second);
+        product = subtract(add(first, second), both);
+    }
+
+    v_int32x4 both;    // n1 + n2
+    v_int32x4 product; // n1 n2 / (n1 + n2)
+    v_int32x4 smaller; // of n1 and n2
+};
 
 //! The same pair four times.
 static inline v_int16x8 makePairs(int lower, int upper)
@@ -109,15 +126,14 @@ static v_int32x4 squaredTurn(const v_int32x4& a, const v_int32x4& b, int share)
 
 //! From squared distances of colours those with depth, which some may not have, and surfaces, with the weights of the
 //! flood. In 1/256 of a squared level.
-v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
-                              const MergeRegion* const* first, const MergeRegion* const* second) const
+v_int32x4 UnionCost::addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b) const
 {
     const v_int32x4 depth_a = v_shr<16>(a.last_mean), depth_b = v_shr<16>(b.last_mean);
     const float share = float(distance_.color_share) / FULL_WEIGHT;
     v_int32x4 sum = v_trunc(multiply(v_cvt_f32(of_colors), v_setall_f32(share * share))), step;
     if (distance_.with_surfaces)
     {
-        const FourSurfaces surface_a(surfaces_, records_, first), surface_b(surfaces_, records_, second);
+        const FourSurfaces surface_a(surfaces_, records_, a.regions), surface_b(surfaces_, records_, b.regions);
         step = depthBetween(surface_a, surface_b, depth_a, depth_b);
         sum = add(sum, squaredTurn(surface_a.normals, surface_b.normals, distance_.normal_share));
     }
@@ -164,55 +180,68 @@ v_int32x4 UnionCost::mixtureOf(const v_int16x8& textures, const v_int16x8& other
                  v_setzero_s32());
 }
 
-//! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
-void UnionCost::findFour(MergeEdge* edges) const
+//! What colours add to the cost, and depths and surfaces with them.
+v_int32x4 UnionCost::addColors(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
+                               const v_int32x4& sum) const
 {
-    const MergeRegion *first[4], *second[4];
-    int costs[4];
-    float contrasts[4];
-    for (int k = 0; k < 4; k++)
-    {
-        first[k] = records_ + edges[k].a;
-        second[k] = records_ + edges[k].b;
-        contrasts[k] = float(edges[k].contrast + STEPS_PER_LEVEL * int64(edges[k].length));
-    }
-    const FourRegions a(first), b(second);
+    const v_int32x4 zero = v_setzero_s32();
     const v_int16x8 differences = v_sub_wrap(v_reinterpret_as_s16(a.first_means), v_reinterpret_as_s16(b.first_means));
     const v_int16x8 last_differences = v_sub_wrap(lowerHalves(a.last_mean), lowerHalves(b.last_mean));
     v_int32x4 squared_distance = v_dotprod(differences, differences, v_dotprod(last_differences, last_differences));
     if (distance_.with_depth)
-        squared_distance = addDepth(squared_distance, a, b, first, second);
+        squared_distance = addDepth(squared_distance, a, b);
+    const v_int32x4 share_a_cell = equal(a.cell, b.cell); // all bits, or none
+    const v_int32x4 slopes = ofSlopes(a, b, share_a_cell, squared_distance);
+    const v_int32x4 noise = v_select(share_a_cell, noise_in_cell_, noise_);
+    const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, slopes), zero), noise));
+
     const v_int32x4 steps = v_reinterpret_as_s32(v_abs(differences)); // of two channels in a word
     const v_int32x4 last_steps = v_reinterpret_as_s32(v_abs(last_differences));
-    const v_int16x8 textures = v_reinterpret_as_s16(a.textures), other_textures = v_reinterpret_as_s16(b.textures);
-    const v_int32x4 smoother = v_reinterpret_as_s32(v_min(textures, other_textures));
-    const v_int32x4 turn = v_shr<16>(v_reinterpret_as_s32(v_abs(v_sub_wrap(textures, other_textures))));
-
-    const v_int32x4 zero = v_setzero_s32();
-    const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
-    const v_int32x4 log_union = logarithm(add(a.area, b.area));
-    const v_int32x4 log_area_a = logarithm(a.area), log_area_b = logarithm(b.area);
-    const v_int32x4 smaller_area = v_min(log_area_a, log_area_b);
-    const v_int32x4 relative_length = subtract(length, v_shr<1>(smaller_area));
-    const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
-    const v_int32x4 excess = v_max(subtract(subtract(log_union, compactness), log_usual_area_), zero);
-    const v_int32x4 share_a_cell = equal(a.cell, b.cell); // all bits, or none
-    const v_int32x4 noise = v_select(share_a_cell, noise_in_cell_, noise_);
-    const v_int32x4 slopes = ofSlopes(a, b, share_a_cell, squared_distance);
-    const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, slopes), zero), noise));
-    const v_int32x4 areas = subtract(add(log_area_a, log_area_b), log_union);
-    const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
     const v_int32x4 chroma = logarithm(add(add(v_shr<16>(steps), last_steps), v_setall_s32(STEPS_PER_LEVEL)));
-    const v_int32x4 brightness = subtract(logarithm(add(a.light, b.light)), log_union);
+    const v_int32x4 brightness = subtract(logarithm(add(a.light, b.light)), areas.both);
+    return weigh(brightness, chroma, brightness_and_chroma_, weigh(distance, lightness, distance_and_lightness_, sum));
+}
 
-    v_int32x4 cost = weigh(distance, excess, distance_and_excess_, zero);
-    cost = weigh(areas, contrast, areas_and_contrast_, cost);
-    cost = weigh(relative_length, lightness, length_and_lightness_, cost);
-    cost = weigh(brightness, chroma, brightness_and_chroma_, cost);
-    cost = weigh(smoother, turn, texture_and_direction_, cost);
-    cost = weigh(mixtureOf(textures, other_textures, smaller_area), zero, mixed_, cost);
-    v_store(costs, cost);
+//! What areas and the common boundary add.
+v_int32x4 UnionCost::addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const
+{
+    const v_int32x4 zero = v_setzero_s32();
+    float contrasts[4];
+    for (int k = 0; k < 4; k++)
+        contrasts[k] = float(edges[k].contrast + STEPS_PER_LEVEL * int64(edges[k].length));
+    const v_int32x4 length = logarithm(v_int32x4(edges[0].length, edges[1].length, edges[2].length, edges[3].length));
+    const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
+    const v_int32x4 relative_length = subtract(length, v_shr<1>(areas.smaller));
+    const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
+    const v_int32x4 excess = v_max(subtract(subtract(areas.both, compactness), log_usual_area_), zero);
+    return weigh(relative_length, contrast, length_and_contrast_, weigh(areas.product, excess, areas_and_excess_, sum));
+}
+
+//! What textures add.
+v_int32x4 UnionCost::addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
+                                 const v_int32x4& sum) const
+{
+    const v_int16x8 textures = v_reinterpret_as_s16(a.textures), others = v_reinterpret_as_s16(b.textures);
+    const v_int32x4 smoother = v_reinterpret_as_s32(v_min(textures, others));
+    const v_int32x4 turn = v_shr<16>(v_reinterpret_as_s32(v_abs(v_sub_wrap(textures, others))));
+    const v_int32x4 mixture = mixtureOf(textures, others, areas.smaller);
+    return weigh(mixture, v_setzero_s32(), mixed_, weigh(smoother, turn, texture_and_direction_, sum));
+}
+
+//! @note Sums are those of integers: compilers may round a product and a sum of floats once or twice.
+void UnionCost::findFour(MergeEdge* edges) const
+{
+    const MergeRegion *first[4], *second[4];
+    for (int k = 0; k < 4; k++)
+    {
+        first[k] = records_ + edges[k].a;
+        second[k] = records_ + edges[k].b;
+    }
+    const FourRegions a(first), b(second);
+    const FourAreas areas(a, b);
+    int costs[4];
+    v_store(costs, addTextures(a, b, areas, addShapes(edges, areas, addColors(a, b, areas, v_setzero_s32()))));
     for (int k = 0; k < 4; k++)
         edges[k].cost = costs[k];
 }
@@ -226,11 +255,12 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
       log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
-      distance_and_excess_(makePairs(distance.with_depth ? rules.with_depth : rules.distance, EXCESS)),
-      areas_and_contrast_(makePairs(rules.areas, rules.contrast)),
-      length_and_lightness_(makePairs(-rules.length, -distance.shareOfColor(rules.lightness))),
+      distance_and_lightness_(makePairs(distance.with_depth ? rules.with_depth : rules.distance,
+                                        -distance.shareOfColor(rules.lightness))),
       brightness_and_chroma_(makePairs(-distance.shareOfColor(rules.brightness),
                                        distance.shareOfDetails(rules.chroma))),
+      areas_and_excess_(makePairs(rules.areas, EXCESS)),
+      length_and_contrast_(makePairs(-rules.length, rules.contrast)),
       texture_and_direction_(makePairs(-distance.shareOfDetails(rules.texture),
                                        distance.shareOfDetails(rules.direction))),
       mixed_(makePairs(-distance.shareOfDetails(rules.mixed), 0))

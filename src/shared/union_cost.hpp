@@ -10,6 +10,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+struct FourAreas;
 struct FourRegions;
 
 //! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
@@ -53,12 +54,14 @@ public:
 
 private:
     void findFour(MergeEdge* edges) const;
-    v_int32x4 mixtureOf(const v_int16x8& textures, const v_int16x8& others, const v_int32x4& smaller_area) const;
-    v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b,
-                       const MergeRegion* const* first, const MergeRegion* const* second) const;
-
+    v_int32x4 addColors(const FourRegions& a, const FourRegions& b, const FourAreas& areas, const v_int32x4& sum) const;
+    v_int32x4 addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const;
+    v_int32x4 addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
+                          const v_int32x4& sum) const;
+    v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b) const;
     v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell,
                        const v_int32x4& squared_distance) const;
+    v_int32x4 mixtureOf(const v_int16x8& textures, const v_int16x8& others, const v_int32x4& smaller_area) const;
 
     const RegionDistance distance_;
     const MergeRegion* const records_;
@@ -69,7 +72,7 @@ private:
     v_int32x4 log_usual_area_; // above it, unions are expensive
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
-    v_int16x8 distance_and_excess_, areas_and_contrast_, length_and_lightness_, brightness_and_chroma_,
+    v_int16x8 distance_and_lightness_, brightness_and_chroma_, areas_and_excess_, length_and_contrast_,
             texture_and_direction_, mixed_; // exponents
 };
 
