@@ -57,15 +57,25 @@ struct ClassRows
 
 } // namespace
 
+//! What one sweep works with.
+struct BoundarySweeper::Pass
+{
+    const List& list;
+    const RegionChoice& choice;
+    const FeatureMap& features;
+    const SweepRules& rules;
+    const Regions& regions;
+    Padded<int>& labels;
+};
+
 //! What one thread does.
 class BoundarySweeper::Wave
 {
 public:
-    Wave(const RegionChoice& choice, const FeatureMap& features, const SweepRules& rules, const Regions& regions,
-         Padded<int>& labels, BoundarySweeper& sweeper, Moves& moves)
-        : table_(maskTable()), choice_(choice), features_(features.data()), rules_(rules),
-          all_permitted_(rules.markers.empty() && !rules.guard), sums_(regions.sums.data()), labels_(labels),
-          sweeper_(sweeper), moves_(moves), marks_step_(sweeper.marks_.step())
+    Wave(const Pass& pass, BoundarySweeper& sweeper, Moves& moves)
+        : table_(maskTable()), choice_(pass.choice), features_(pass.features.data()), rules_(pass.rules),
+          all_permitted_(rules_.markers.empty() && !rules_.guard), sums_(pass.regions.sums.data()),
+          labels_(pass.labels), sweeper_(sweeper), moves_(moves), marks_step_(sweeper.marks_.step())
     {
     }
 
@@ -285,50 +295,74 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
                             Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
-    const int height = marks_.size().height, num_bands = (height + BAND_HEIGHT - 1) / BAND_HEIGHT;
     const RegionChoice choice(features, labels, masks_, regions, rules.distance, rules.length_price);
-    const int most_groups = countGroups();
+    const Pass pass = { list, choice, features, rules, regions, labels };
+    divideIntoGroups();
+    sweepGroups(pass);
+    moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
+    if (!rules.last)
+        updateRegions(features, rules.guard, regions);
+}
+
+int BoundarySweeper::numBands() const { return (marks_.size().height + BAND_HEIGHT - 1) / BAND_HEIGHT; }
+
+//! No band has moves yet, and no group has lists.
+void BoundarySweeper::divideIntoGroups()
+{
+    const int num_bands = numBands(), most_groups = countGroups();
     bands_in_group_ = std::max<int>(FEWEST_BANDS, (num_bands + most_groups - 1) / most_groups);
     lists_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
     moves_.resize(2 * num_bands - 1);
     for (size_t i = 0; i < moves_.size(); i++)
         moves_[i].clear();
-    const auto sweepWithin = [&](int band)
-    {
-        const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
-        listOf(band).begin(rows.start, size_t(rows.size()) * marks_.size().width);
-        list(rows, listOf(band));
-        readAhead(features, rows);
-        Wave(choice, features, rules, regions, labels, *this, moves_[band]).run(ClassRows::within(rows, height));
-    };
-    const auto sweepAbove = [&](int band)
-    {
-        const ClassRows rows = ClassRows::between(band * BAND_HEIGHT, height);
-        Wave(choice, features, rules, regions, labels, *this, moves_[num_bands + band - 1]).run(rows);
-    };
-    parallel_for_(Range(0, int(lists_.size())), [&](const Range& groups)
+}
+
+//! First the groups, at the same time, then what is left between them.
+void BoundarySweeper::sweepGroups(const Pass& pass)
+{
+    const int num_groups = int(lists_.size()), num_bands = numBands();
+    parallel_for_(Range(0, num_groups), [&](const Range& groups)
     {
         const int end = std::min(groups.end * bands_in_group_, num_bands);
         for (int band = groups.start * bands_in_group_; band < end; band++)
         {
-            sweepWithin(band);
+            sweepWithin(band, pass);
             if (band % bands_in_group_ != 0)
-                sweepAbove(band);
+                sweepAbove(band, pass);
         }
     });
-    parallel_for_(Range(1, int(lists_.size())), [&](const Range& groups)
+    parallel_for_(Range(1, num_groups), [&](const Range& groups)
     {
         for (int group = groups.start; group < groups.end; group++)
-            sweepAbove(group * bands_in_group_);
+            sweepAbove(group * bands_in_group_, pass);
     });
-    moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
-    if (rules.last)
-        return;
-    const int stripes = countGroups(), n = regions.size(); // each reads the moves anew
+}
+
+void BoundarySweeper::sweepWithin(int band, const Pass& pass)
+{
+    const int height = marks_.size().height;
+    const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
+    listOf(band).begin(rows.start, size_t(rows.size()) * marks_.size().width);
+    pass.list(rows, listOf(band));
+    readAhead(pass.features, rows);
+    Wave(pass, *this, moves_[band]).run(ClassRows::within(rows, height));
+}
+
+//! What is left between a band and the one above it, when both are done.
+void BoundarySweeper::sweepAbove(int band, const Pass& pass)
+{
+    const ClassRows rows = ClassRows::between(band * BAND_HEIGHT, marks_.size().height);
+    Wave(pass, *this, moves_[numBands() + band - 1]).run(rows);
+}
+
+//! In stripes, of which each reads all moves.
+void BoundarySweeper::updateRegions(const FeatureMap& features, VariationGuard* guard, Regions& regions) const
+{
+    const int stripes = countGroups(), n = regions.size();
     parallel_for_(Range(0, stripes), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            updateRegions(Range(int(int64(n) * i / stripes), int(int64(n) * (i + 1) / stripes)), features, rules.guard,
+            updateRegions(Range(int(int64(n) * i / stripes), int(int64(n) * (i + 1) / stripes)), features, guard,
                           regions);
     });
 }

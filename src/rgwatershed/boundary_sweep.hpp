@@ -50,6 +50,7 @@ public:
     bool moved() const { return moved_; }
 
 private:
+    struct Pass;
     class Wave;
 
     struct Move
@@ -72,28 +73,35 @@ private:
         }
     };
 
-    typedef std::function<void(const Range& rows, BoundaryList& list)> List;
-
-    void begin(Size size, bool last);
-    void listAll(const Range& rows, bool last, BoundaryList& list);
-    void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
-               Regions& regions);
-    void updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
-                       Regions& regions) const;
-
-    Padded<uchar> masks_;             // of the neighbours with the same label, by pixel
-    Padded<uchar> marks_;             // of the classes that touch a move, by quad
     //! The lists of a group of bands, which one thread sweeps from top to bottom. Those that are still needed are that
     //! of the first band, where the group above ends, and those of the last two.
     struct Lists
     {
         BoundaryList first, even, odd;
     };
-    BoundaryList& listOf(int band);
 
-    std::vector<Lists> lists_;
+    //! Lists the pixels that a sweep looks at in some rows of quads.
+    typedef std::function<void(const Range& rows, BoundaryList& list)> List;
+
+    void begin(Size size, bool last);
+    void listAll(const Range& rows, bool last, BoundaryList& list);
+    void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
+               Regions& regions);
+    int numBands() const;
+    BoundaryList& listOf(int band);
+    void divideIntoGroups();
+    void sweepGroups(const Pass& pass);
+    void sweepWithin(int band, const Pass& pass);
+    void sweepAbove(int band, const Pass& pass);
+    void updateRegions(const FeatureMap& features, VariationGuard* guard, Regions& regions) const;
+    void updateRegions(const Range& range, const FeatureMap& features, VariationGuard* guard,
+                       Regions& regions) const;
+
+    Padded<uchar> masks_;      // of the neighbours with the same label, by pixel
+    Padded<uchar> marks_;      // of the classes that touch a move, by quad
+    std::vector<Lists> lists_; // of each group
     int bands_in_group_ = 0;
-    std::vector<Moves> moves_;        // within bands, then between them
+    std::vector<Moves> moves_; // within bands, then between them
     bool moved_ = false;
 };
 
