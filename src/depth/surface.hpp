@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_SURFACE_HPP
 #define OPENCV_GWATERSHED_SURFACE_HPP
 
-#include "shared/camera.hpp"
+#include "depth/surface_normals.hpp"
 #include "shared/sample.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -13,7 +13,8 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Buffers of findSurface().
 struct SurfaceBuffers
 {
-    Mat nearness, normals, inverses, raw_normals;
+    Mat nearness, normals, raw_normals;
+    InverseDepths inverses;
 };
 
 //! From a depth map to what surfaces are compared by.
