@@ -4,96 +4,12 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/region_flood.hpp"
-#include "rgwatershed/tuning.hpp"
+#include "rgwatershed/flood_priority.hpp"
 #include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void FloodRegion::update()
-{
-    const RegionMean mean = sum.mean();
-    const short values[4] = { mean.color[0], mean.color[2], mean.color[1], mean.depth };
-    std::copy(values, values + 4, means);
-    if (rise != 0 && sum.depth_area > 0)
-        means[3] = saturate_cast<short>(mean.depth - rise / (int64(SurfaceMean::PLANE_UNIT) * sum.depth_area));
-    next_update = int(std::min<int64>(int64(sum.area) + sum.area / MEAN_GROWTH + 1, INT_MAX));
-}
-
 namespace {
-
-//! Priorities of the four neighbours of a block, in quarters of a level, without a root: the length of a vector is
-//! taken from its components within 4 percent.
-template <bool WITH_DEPTH> class NeighborPriorities
-{
-public:
-    NeighborPriorities(const RegionDistance& distance, int ruler)
-        : longer_(v_setall_s16(weigh(ruler, 9))), both_(v_setall_s16(weigh(ruler, 13))) // for half a block
-    {
-        const short (*w)[4] = distance.weights;
-        for (int k = 0; k < 1 + WITH_DEPTH; k++)
-        {
-            even_[k] = setPair(w[k][0], w[k][2]);
-            odd_[k] = setPair(w[k][1], w[k][3]);
-        }
-    }
-
-    //! features: of left, top, right and bottom; at: the place of the block; excess: levels that are added.
-    v_int16x8 operator()(const v_uint8x16& features, const FloodRegion& region, Point at, int excess) const
-    {
-        const Point offset = region.middle - 2 * at;
-        const v_uint16x8 bytes = v_reinterpret_as_u16(features);
-        const v_int16x8 even = v_reinterpret_as_s16(v_shr<8 - STEPS_PER_LEVEL_LOG2>(v_shl<8>(bytes))); // in steps
-        const v_int16x8 odd = v_reinterpret_as_s16(v_shl<STEPS_PER_LEVEL_LOG2>(v_shr<8>(bytes)));
-        const v_int16x8 even_away = difference(even, setPair(region.means[0], region.means[1]));
-        const v_int16x8 odd_away = difference(odd, setPair(region.means[2], region.means[3]));
-        const v_int32x4 least = v_setall_s32(excess << LEVEL_LOG2);
-        v_int32x4 away = v_dotprod(odd_away, odd_[0], v_dotprod(even_away, even_[0], least));
-        if (WITH_DEPTH && region.sum.depth_area > 0)
-        {
-            const v_int32x4 depth = v_reinterpret_as_s32(v_shr<24>(v_reinterpret_as_u32(features)));
-            const v_int32x4 has_depth = isPositive(depth);
-            const v_int16x8 odd_away_too = difference(odd, pairsWithDepth(region, at));
-            const v_int32x4 with_depth = v_dotprod(odd_away_too, odd_[1], v_dotprod(even_away, even_[1], least));
-            away = add(away, bitAnd(subtract(with_depth, away), has_depth));
-        }
-        const v_int32x4 offsets(offset.x, offset.y, offset.x, offset.y), turned(offset.y, offset.x, offset.y, offset.x);
-        const v_int16x8 v = difference(limit(offsets), v_int16x8(-2, 0, 0, -2, 2, 0, 0, 2));
-        const v_int16x8 swapped = difference(limit(turned), v_int16x8(0, -2, -2, 0, 0, 2, 2, 0));
-        away = v_dotprod(v, both_, v_dotprod(v_max(v, swapped), longer_, away));
-        const v_int32x4 priorities = v_shr<LEVEL_LOG2 - FloodBuffers::PRIORITIES_PER_LEVEL_LOG2>(away);
-        return v_pack(priorities, priorities);
-    }
-
-private:
-    enum { LEVEL_LOG2 = STEPS_PER_LEVEL_LOG2 + FULL_WEIGHT_LOG2 }; // weighted steps in a level
-    enum { FARTHEST = 8000 }; // in halves of blocks, so that sums fit into 32 bits
-
-    static short weigh(int ruler, int part) { return short(std::min(int64(ruler) * part / 64, int64(SHRT_MAX))); }
-
-    static v_int16x8 setPair(short a, short b)
-    {
-        return v_reinterpret_as_s16(v_setall_u32(ushort(a) | unsigned(ushort(b)) << 16));
-    }
-
-    //! As pairs of 16 bits.
-    static v_int16x8 limit(const v_int32x4& offsets)
-    {
-        return v_min(v_max(v_pack(offsets, offsets), v_setall_s16(-FARTHEST)), v_setall_s16(FARTHEST));
-    }
-
-    //! The means of the odd channels for the four neighbours, whose depths lie on the plane of the region.
-    static v_int16x8 pairsWithDepth(const FloodRegion& region, Point at)
-    {
-        const int UNIT = SurfaceMean::PLANE_UNIT, depth = region.depthAt(at);
-        const int dx = region.slope.x / UNIT, dy = region.slope.y / UNIT;
-        const short color = region.means[2];
-        return v_int16x8(color, short(depth - dx), color, short(depth - dy), color, short(depth + dx), color,
-                         short(depth + dy));
-    }
-
-    v_int16x8 even_[2], odd_[2];      // weights of the channels 0 and 2, and 1 and 3, without depth and with it
-    const v_int16x8 longer_, both_; // of the longer component, and of each
-};
 
 //! The flood of some rows; nothing crosses to others.
 template <bool WITH_DEPTH> class RegionFlood
@@ -149,7 +65,7 @@ private:
     //! block of the other colour. So it must not grow without end.
     int excessOf(const FloodRegion& region) const
     {
-        const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES >> FloodBuffers::PRIORITIES_PER_LEVEL_LOG2;
+        const int LEVELS_PER_BLOCK = 32, MOST = FloodBuffers::PRIORITIES >> PRIORITIES_PER_LEVEL_LOG2;
         return std::min(std::max(region.sum.area - usual_area_, 0), MOST / LEVELS_PER_BLOCK) * LEVELS_PER_BLOCK;
     }
 
@@ -234,6 +150,33 @@ static void addSurfaces(const FeatureMap& features, const Padded<int>& labels, c
     }
 }
 
+//! Each marker becomes a region of one element: those of a band, whose first one has a number.
+static void plantMarkers(const FeatureMap& features, const std::vector<Point>& markers,
+                         const std::vector<Point>& middles, const Range& own, int first, Padded<int>& labels,
+                         FloodRegion* regions)
+{
+    for (int m = own.start; m < own.end; m++)
+    {
+        const int seed = labels.index(markers[m]), region = first + m - own.start;
+        labels.data()[seed] = region;
+        regions[region] = FloodRegion(RegionSum(), markers[m], middles.empty() ? 2 * markers[m] : middles[m]);
+        regions[region].add(features.data()[seed]);
+    }
+    if (features.withNormals())
+        findSlopes(features, markers.data() + own.start, own.size(), regions + first);
+}
+
+//! What the flood found of some regions, which lie in some rows.
+static void takeSums(const FeatureMap& features, const std::vector<FloodRegion>& flooded, const Range& numbers,
+                     const Range& rows, const Padded<int>& labels, Regions& regions)
+{
+    for (int i = numbers.start; i < numbers.end; i++)
+        regions.sums[i] = flooded[i].sum;
+    if (features.withNormals())
+        addSurfaces(features, labels, rows, regions.surfaces.sums.data());
+    regions.update(numbers);
+}
+
 //! @note Section III.B with a region in the place of the neighbour: the priority of a pixel is its
 //! distance to the mean of the region that reaches it, plus its distance to the marker.
 void floodFromPoints(const FeatureMap& features, const std::vector<Point>& markers, const std::vector<Point>& middles,
@@ -253,25 +196,11 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
     {
         for (int i = firstOf(groups.start); i < firstOf(groups.end); i++)
         {
-            const Range& own = bands[i].markers;
-            for (int m = own.start; m < own.end; m++)
-            {
-                const int seed = labels.index(markers[m]);
-                labels.data()[seed] = first + m;
-                const Point middle = middles.empty() ? 2 * markers[m] : middles[m];
-                buffers.regions[first + m] = FloodRegion(RegionSum(), markers[m], middle);
-                buffers.regions[first + m].add(features.data()[seed]);
-            }
-            if (features.withNormals())
-                findSlopes(features, markers.data() + own.start, own.size(),
-                           buffers.regions.data() + first + own.start);
+            const Range &own = bands[i].markers, numbers(first + own.start, first + own.end);
+            plantMarkers(features, markers, middles, own, numbers.start, labels, buffers.regions.data());
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
                       markers.data() + own.end, buffers, buffers.bands[groups.start], labels);
-            for (int m = own.start; m < own.end; m++)
-                regions.sums[first + m] = buffers.regions[first + m].sum;
-            if (features.withNormals())
-                addSurfaces(features, labels, bands[i].rows, regions.surfaces.sums.data());
-            regions.update(Range(first + own.start, first + own.end));
+            takeSums(features, buffers.regions, numbers, bands[i].rows, labels, regions);
         }
     });
     regions.update(Range(0, first));
@@ -294,13 +223,11 @@ static std::vector<Point> findMiddles(const Padded<int>& labels, const Regions& 
     return middles;
 }
 
-void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, int ruler, FloodBuffers& buffers,
-                      Padded<int>& labels, Regions& regions)
+//! The elements of regions beside those that no region has reached.
+static void findSeeds(const Padded<int>& labels, std::vector<Point>& seeds)
 {
-    CV_TRACE_FUNCTION();
     const Size size = labels.size();
     const int step = labels.step();
-    std::vector<Point>& seeds = buffers.seeds;
     seeds.clear();
     for (int y = 0; y < size.height; y++)
     {
@@ -310,14 +237,22 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
                                 row[x - step] == UNSEEN || row[x + step] == UNSEEN))
                 seeds.push_back(Point(x, y));
     }
+}
+
+void floodFromRegions(const FeatureMap& features, const RegionDistance& distance, int ruler, FloodBuffers& buffers,
+                      Padded<int>& labels, Regions& regions)
+{
+    CV_TRACE_FUNCTION();
     const int ANY_AREA = INT_MAX;
+    std::vector<Point>& seeds = buffers.seeds;
+    findSeeds(labels, seeds);
     const std::vector<Point> middles = ruler > 0 ? findMiddles(labels, regions) : std::vector<Point>(regions.size());
     buffers.regions.resize(regions.size());
     buffers.bands.resize(1);
     for (int i = 0; i < regions.size(); i++)
         buffers.regions[i] = FloodRegion(regions.sums[i], Point(), middles[i]);
-    floodRows(features, distance, ruler, ANY_AREA, Range(0, size.height), seeds.data(), seeds.data() + seeds.size(),
-              buffers, buffers.bands[0], labels);
+    floodRows(features, distance, ruler, ANY_AREA, Range(0, labels.size().height), seeds.data(),
+              seeds.data() + seeds.size(), buffers, buffers.bands[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
     if (features.withNormals())
