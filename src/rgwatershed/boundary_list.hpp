@@ -5,9 +5,7 @@
 #ifndef OPENCV_GWATERSHED_BOUNDARY_LIST_HPP
 #define OPENCV_GWATERSHED_BOUNDARY_LIST_HPP
 
-#include "rgwatershed/block_grid.hpp"
 #include "rgwatershed/neighbor_masks.hpp"
-#include "shared/regions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,8 +13,6 @@ namespace cv { namespace ximgproc { namespace gws {
 // 2 * (y % 2) + x % 2. No two pixels of one class are neighbours.
 
 enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
-
-enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its label: it cannot leave
 
 //! The pixels that a sweep looks at in some rows of quads, by class and row.
 class BoundaryList
@@ -54,12 +50,6 @@ private:
     std::vector<int> pixels_[NUM_CLASSES]; // with room at the end
     std::vector<int> ends_[NUM_CLASSES];   // of the rows; the first is 0
 };
-
-//! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
-void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
-
-//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels. None is without a label.
-void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks);
 
 // Each of these adds some rows of quads to a list.
 

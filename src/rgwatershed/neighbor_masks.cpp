@@ -16,7 +16,8 @@ static inline v_uint8x16 isSame(const v_int32x4* labels, const int* others)
     return v_reinterpret_as_u8(v_pack(v_pack(same[0], same[1]), v_pack(same[2], same[3])));
 }
 
-void findMasksOfRow(const int* row, int step, int n, uchar* masks)
+//! The masks of a row of pixels with their own labels.
+static void findMasksOfRow(const int* row, int step, int n, uchar* masks)
 {
     const int AT_ONCE = 16, offsets[8] = { -step - 1, -step, -step + 1, 1, step + 1, step, step - 1, -1 };
     int x = 0;
@@ -91,6 +92,60 @@ const MaskTable& maskTable()
 {
     static const MaskTable table;
     return table;
+}
+
+void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks)
+{
+    const int width = labels.size().width;
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const int* row = labels.row(y);
+        uchar* found = masks.row(y);
+        findMasksOfRow(row, labels.step(), width, found);
+        for (int x = 0; x < width; x++)
+            found[x] |= uchar(row[x] < 0 ? int(INTERIOR) : 0);
+    }
+}
+
+//! The masks in row i of a row of whole blocks. Behind the line is room for four more.
+static void fillLine(const std::vector<uchar>& masks_of_blocks, int side, int i, uchar* line)
+{
+    const MaskTable::BlockRow* const rows_of_blocks = maskTable().rowsOfBlocks(side, i);
+    const int width = int(masks_of_blocks.size());
+    const uchar* const of_blocks = masks_of_blocks.data();
+    for (int x = 0; x < width; x++, line += side) // of each 4 bytes the next ones overwrite those beyond the block
+        memcpy(line, rows_of_blocks + of_blocks[x], sizeof(MaskTable::BlockRow));
+}
+
+//! A mask that has some bits of another one.
+static inline uchar putBits(uchar mask, uchar other, uchar bits) { return uchar((mask & ~bits) | (other & bits)); }
+
+//! The last row of a short block has the neighbours below that the last row of a whole one would have. The same holds
+//! for columns.
+void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks)
+{
+    const uchar RIGHT = 0x1C, BELOW = 0x70;
+    const BlockAxis& columns = grid.columns;
+    const int side = grid.side, width = columns.count, next = columns.short_block + 1, end = columns.start(next);
+    std::vector<uchar> masks_of_blocks(width);
+    std::vector<uchar> line(side * width + 4), last_line(side * width + 4);
+    for (int y = rows.start, known = -1; y < rows.end; y++)
+    {
+        const int block = grid.rows.blockOf(y), i = y - grid.rows.start(block);
+        if (block != known)
+            findMasksOfRow(blocks.row(block), blocks.step(), width, masks_of_blocks.data());
+        known = block;
+        fillLine(masks_of_blocks, side, i, line.data());
+        if (y + 1 == grid.rows.start(block + 1) && i + 1 < side)
+        {
+            fillLine(masks_of_blocks, side, side - 1, last_line.data());
+            for (int x = 0; x < side * width; x++)
+                line[x] = putBits(line[x], last_line[x], BELOW);
+        }
+        line[end - 1] = putBits(line[end - 1], line[side * next - 1], RIGHT);
+        std::copy_n(line.data(), end, masks.row(y));
+        std::copy_n(line.data() + side * next, masks.size().width - end, masks.row(y) + end);
+    }
 }
 
 }}} // namespace

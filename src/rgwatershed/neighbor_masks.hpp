@@ -5,12 +5,16 @@
 #ifndef OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
 #define OPENCV_GWATERSHED_NEIGHBOR_MASKS_HPP
 
+#include "rgwatershed/block_grid.hpp"
+#include "shared/padded.hpp"
 #include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
 // The 8 neighbours of a pixel, clockwise from the upper left, are the bits of a mask; those with an odd number are
 // its 4-neighbours. A mask tells which of them have a label.
+
+enum { INTERIOR = 255 }; //!< the mask of a pixel whose neighbours all have its label: it cannot leave
 
 //! What a pixel must know of the mask of its neighbours with one label.
 class MaskTable
@@ -68,8 +72,11 @@ private:
 
 const MaskTable& maskTable();
 
-//! The masks of a row of pixels with their own labels.
-void findMasksOfRow(const int* row, int step, int n, uchar* masks);
+//! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
+void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
+
+//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels. None is without a label.
+void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks);
 
 }}} // namespace
 
