@@ -66,6 +66,38 @@ static void findSteps(const Feature* upper, const Feature* lower, const int* lef
     }
 }
 
+//! The steps of all blocks. The elements are those that blocks are made of.
+static void findSteps(const Padded<Feature>& elements, const BlockGrid& grid, const v_int16x8& weights, Mat& steps)
+{
+    const int width = grid.columns.count, padded_width = int(alignSize(width, AT_ONCE));
+    std::vector<int> lefts(padded_width, 0), rights(padded_width, 0);
+    for (int x = 0; x < width; x++)
+    {
+        lefts[x] = grid.columns.start(x);
+        rights[x] = grid.columns.start(x + 1) - 1;
+    }
+    steps.create(grid.rows.count, padded_width, CV_16SC(SUMS));
+    parallel_for_(Range(0, grid.rows.count), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+            findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
+                      rights.data(), width, weights, steps.ptr<short>(y));
+    });
+}
+
+static void addSteps(const Mat& steps, const Padded<int>& labels, std::vector<RegionTexture>& textures)
+{
+    const Size size = labels.size();
+    for (int y = 0; y < size.height; y++)
+    {
+        const int* row = labels.row(y);
+        const short* of_block = steps.ptr<short>(y);
+        for (int x = 0; x < size.width; x++, of_block += SUMS)
+            if (row[x] >= 0)
+                textures[row[x]].add(v_cvt_f32(v_load_expand(of_block)), v_cvt_f32(v_load_expand(of_block + SUMS / 2)));
+    }
+}
+
 //! @note The steps are found in parallel; what is left are few additions for each block.
 void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,
@@ -75,36 +107,13 @@ void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, 
     textures.clear();
     if (levels.top == 0)
         return;
-    const FeatureMap& elements = pyramid[levels.top - 1];
     const BlockGrid grid = levels.grid(levels.top, pyramid[0].size());
-    const Size size = labels.size();
-    const int padded_width = int(alignSize(size.width, AT_ONCE));
     short w[3]; // corners of blocks of 3x3 are 2/3 of their side apart, those of 2x2 half of it
     for (int k = 0; k < 3; k++)
         w[k] = short(distance.weights[0][k] * grid.side / (2 * (grid.side - 1)));
-    const v_int16x8 weights(w[0], w[1], w[2], 0, w[0], w[1], w[2], 0);
-    std::vector<int> lefts(padded_width, 0), rights(padded_width, 0);
-    for (int x = 0; x < size.width; x++)
-    {
-        lefts[x] = grid.columns.start(x);
-        rights[x] = grid.columns.start(x + 1) - 1;
-    }
-    steps.create(size.height, padded_width, CV_16SC(SUMS));
-    parallel_for_(Range(0, size.height), [&](const Range& rows)
-    {
-        for (int y = rows.start; y < rows.end; y++)
-            findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
-                      rights.data(), size.width, weights, steps.ptr<short>(y));
-    });
+    findSteps(pyramid[levels.top - 1], grid, v_int16x8(w[0], w[1], w[2], 0, w[0], w[1], w[2], 0), steps);
     textures.resize(num_regions);
-    for (int y = 0; y < size.height; y++)
-    {
-        const int* row = labels.row(y);
-        const short* of_block = steps.ptr<short>(y);
-        for (int x = 0; x < size.width; x++, of_block += SUMS)
-            if (row[x] >= 0)
-                textures[row[x]].add(v_cvt_f32(v_load_expand(of_block)), v_cvt_f32(v_load_expand(of_block + SUMS / 2)));
-    }
+    addSteps(steps, labels, textures);
     for (int i = 0; i < num_regions; i++)
         textures[i].scaleRises(w, 0.25f); // half of the mean of two
 }

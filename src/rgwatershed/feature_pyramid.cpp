@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
+#include "rgwatershed/block_normals.hpp"
 #include "rgwatershed/tuning.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -212,56 +213,6 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
     }
 }
 
-enum { NORMALS_AT_ONCE = 4 };
-
-//! Adds up the normals of each column.
-static void addColumns(const Mat& normals, const Range& rows, int* sums)
-{
-    for (int x = 0; x < normals.cols; x += NORMALS_AT_ONCE)
-    {
-        v_int32x4 sum = v_setzero_s32();
-        for (int y = rows.start; y < rows.end; y++)
-            sum = add(sum, NormalSum::of(normals.ptr<Normal>(y) + x));
-        v_store(sums + x, sum);
-    }
-}
-
-//! Adds up pairs of columns, those that blocks of a side touch.
-static void addPairs(const int* columns, int side, int count, int* sums)
-{
-    if (side != 4)
-    {
-        for (int x = 0; x < count; x++)
-            sums[x] = columns[x * side / 2] + columns[x * side / 2 + 1];
-        return;
-    }
-    for (int x = 0; x < count; x += NORMALS_AT_ONCE)
-    {
-        v_int32x4 first, second;
-        v_load_deinterleave(columns + 2 * x, first, second);
-        v_store(sums + x, add(first, second));
-    }
-}
-
-//! Normals of blocks of 3x3 or 4x4 pixels, from those of blocks of 2x2: means of what is known of those they touch,
-//! which are two in each row and column. Rows of both end with some that are not known, up to a whole stride.
-static void uniteNormals(const Mat& normals, int side, Size size, Mat& united)
-{
-    united.create(size.height, int(alignSize(size.width, NORMALS_AT_ONCE)), CV_8UC2);
-    parallel_for_(Range(0, size.height), [&](const Range& rows)
-    {
-        std::vector<int> columns(normals.cols + 1), sums(united.cols);
-        for (int y = rows.start; y < rows.end; y++)
-        {
-            const Range own(y * side / 2, std::min(((y + 1) * side + 1) / 2, normals.rows));
-            addColumns(normals, own, columns.data());
-            addPairs(columns.data(), side, size.width, sums.data());
-            for (int x = 0; x < size.width; x += NORMALS_AT_ONCE)
-                NormalSum::mean(v_load(&sums[x]), united.ptr<Normal>(y) + x);
-        }
-    });
-}
-
 static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureMap* features)
 {
     for (int level = 0; level <= levels.top; level++)
@@ -306,6 +257,21 @@ void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions&
         }
 }
 
+//! All levels of a band, of which some rows of the last level are known; its blocks are whole.
+static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& levels, const Range& top_rows, int band,
+                     FeatureMap* features)
+{
+    Range rows[MAX_LEVEL + 1]; // on each level
+    rows[levels.top] = top_rows;
+    for (int level = levels.top; level > 0; level--)
+    {
+        const BlockAxis blocks = levels.grid(level, frame.color.size()).rows;
+        rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
+    }
+    for (int level = 0; level <= levels.top; level++)
+        makeRows(frame, lab_input, levels, level, rows[level], band, features);
+}
+
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
 {
     CV_TRACE_FUNCTION();
@@ -318,17 +284,7 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
     parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-        {
-            Range rows[MAX_LEVEL + 1]; // on each level; blocks of the last one are whole
-            rows[levels.top] = Range(i * height, std::min((i + 1) * height, num_rows));
-            for (int level = levels.top; level > 0; level--)
-            {
-                const BlockAxis blocks = levels.grid(level, frame.color.size()).rows;
-                rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
-            }
-            for (int level = 0; level <= levels.top; level++)
-                makeRows(frame, lab_input, levels, level, rows[level], i, features);
-        }
+            makeBand(frame, lab_input, levels, Range(i * height, std::min((i + 1) * height, num_rows)), i, features);
     });
 }
 
