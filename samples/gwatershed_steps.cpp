@@ -15,6 +15,7 @@
 #include "rgwatershed/block_markers.hpp"
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
+#include "rgwatershed/boundary_sweep.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_labels.hpp"

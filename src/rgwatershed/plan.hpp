@@ -5,9 +5,9 @@
 #ifndef OPENCV_GWATERSHED_PLAN_HPP
 #define OPENCV_GWATERSHED_PLAN_HPP
 
-#include "rgwatershed/boundary_sweep.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/mask_pyramid.hpp"
+#include "rgwatershed/sweep_rules.hpp"
 #include "shared/frame.hpp"
 #include "shared/merge_rules.hpp"
 #include "shared/parameters.hpp"
