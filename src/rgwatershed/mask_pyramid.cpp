@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/mask_pyramid.hpp"
+#include "rgwatershed/tuning.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -35,14 +36,14 @@ static int countLost(const Mat& components, int num_components, const Mat& block
     return int(std::count(kept.begin(), kept.end(), false));
 }
 
-void MaskPyramid::build(const Mat& mask, int max_level)
+void MaskPyramid::build(const Mat& mask)
 {
     CV_TRACE_FUNCTION();
     if (!levels_.empty() && levels_[0].mask.data == mask.data && levels_[0].mask.size() == mask.size())
         return; // it is the mask of the last image
-    std::vector<Level> levels(max_level + 1);
+    std::vector<Level> levels(MAX_LEVEL + 1);
     Mat components, components_of_pixels;
-    for (int i = 0; i <= max_level; i++)
+    for (int i = 0; i <= MAX_LEVEL; i++)
     {
         Level& level = levels[i];
         if (i == 0)

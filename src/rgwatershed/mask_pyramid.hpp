@@ -14,7 +14,7 @@ class MaskPyramid
 {
 public:
     //! Sets the mask, CV_8UC1 with 0 and 255. It is not copied, and must not be written to later.
-    void build(const Mat& mask, int max_level);
+    void build(const Mat& mask);
 
     const Mat& mask(int level) const { return levels_[level].mask; }
     //! Number of blocks inside.

@@ -17,7 +17,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! All that a call decides before it looks at a pixel.
 struct Plan
 {
-    //! masks are those of the frame, built up to MAX_LEVEL, or not used if the frame has no mask.
+    //! masks are those of the frame, or not used if it has no mask.
     Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks);
 
     //! The ruler of a flood of some blocks from some markers, as floodFromPoints() takes it.

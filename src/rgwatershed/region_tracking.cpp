@@ -110,27 +110,32 @@ void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, 
             last_.errors[i] = errors[i];
 }
 
-//! Dissolves the regions that have changed, and floods there from as many markers as a new image would have. The
-//! regions that are kept get the first numbers. Returns how many these are.
-int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask,
-                                const Change& change, Padded<int>& labels, Regions& regions)
+//! Dissolves the regions that have changed. Those that are kept get the first numbers, and stay under their names.
+void RegionTracker::dissolveChanged(const Change& change, Mat& labels, Regions& regions)
 {
-    const int num_regions = regions.size();
-    std::vector<int> numbers(num_regions, int(UNSEEN));
+    std::vector<int> numbers(regions.size(), int(UNSEEN));
     names_.clear();
-    for (int i = 0; i < num_regions; i++)
+    for (int i = 0; i < regions.size(); i++)
         if (!change.changed[i])
         {
             numbers[i] = int(names_.size());
             regions.copy(i, int(names_.size()));
             names_.push_back(i);
         }
-    const int num_kept = int(names_.size());
-    regions.resize(num_kept);
+    regions.resize(int(names_.size()));
+    renumber(numbers, labels);
+}
+
+//! Floods where regions have changed, from as many markers as a new image would have there. Returns how many regions
+//! are kept.
+int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask,
+                                const Change& change, Padded<int>& labels, Regions& regions)
+{
+    const int num_regions = regions.size();
     Mat map = labels.view(), before, dissolved;
     map.copyTo(before);
-    renumber(numbers, map);
-
+    dissolveChanged(change, map, regions);
+    const int num_kept = regions.size();
     const double fewest = std::max(double(num_regions - num_kept), change.changed_area * num_regions / change.area);
     const int num_markers = int(std::min(change.changed_area, plan.markers_per_superpixel * fewest));
     std::vector<Point> markers;

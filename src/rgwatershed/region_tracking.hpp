@@ -42,6 +42,7 @@ private:
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
     void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
                         Change& change, Padded<int>& labels, Regions& regions);
+    void dissolveChanged(const Change& change, Mat& labels, Regions& regions);
     int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, const Change& change,
                      Padded<int>& labels, Regions& regions);
     void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers, Change& change,

@@ -28,7 +28,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 {
     CV_TRACE_FUNCTION();
     if (!frame.mask.empty())
-        masks_.build(frame.mask, MAX_LEVEL);
+        masks_.build(frame.mask);
     const Plan plan(frame, parameters, masks_);
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
