@@ -36,6 +36,8 @@ public:
         if (lies_in_nominal && spansMuchOf(nominal))
             return nominal;
         const ValueRange range = rangeWithout(values_.size() / OUTLIERS, values_);
+        if (hasLights(range))
+            return nominal;
         if (range.first < range.last)
             return range;
         return lies_in_nominal ? nominal : findExtrema();
@@ -180,6 +182,21 @@ private:
         return (last - first) * SHARE_OF_NOMINAL >= BINS - 1 && !is_far;
     }
 
+    //! Whether the range of a picture in linear light is that of a few lamps, or of the sun: most values are between 0
+    //! and 1, and what is above would leave little to them. Whole numbers may be levels, of which many are dark.
+    bool hasLights(ValueRange range) const
+    {
+        const int MOST = 8; // one value in so many
+        const bool has_fractions = image_.depth() == CV_16F || image_.depth() == CV_32F || image_.depth() == CV_64F;
+        if (!has_fractions || range.first < 0 || range.last < SHARE_OF_NOMINAL)
+            return false;
+        const int64 others = std::count_if(values_.begin(), values_.end(), [](T value)
+        {
+            return value > 1 || value == std::floor(value);
+        });
+        return others * MOST <= int64(values_.size());
+    }
+
     //! Of all finite values.
     ValueRange findExtrema() const
     {
@@ -251,7 +268,8 @@ void scaleIntegers(const Mat& row, RangeOf<double> range, Mat& values, Mat& scal
     values.convertTo(scaled, CV_8U, 255 / (range.last - range.first));
 }
 
-//! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them.
+//! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them. What
+//! integers are times 255 over the span must fit an int.
 void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
 {
     const double span = range.last - range.first;
@@ -269,9 +287,9 @@ void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
         for (int y = rows.start; y < rows.end; y++)
         {
             Mat to = scaled.row(y);
-            if (is_moderate && depth <= CV_16S)
+            if (is_moderate && span >= 1 && depth <= CV_16S)
                 scaleIntegers(image.row(y), range, values, to);
-            else if (is_moderate && (depth == CV_32F || depth == CV_16F))
+            else if (is_moderate && depth != CV_32S && depth != CV_64F)
                 scaleFloats(image.row(y), range, values, to);
             else
                 scaleDoubles(image.row(y), range, values, to);
