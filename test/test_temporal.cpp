@@ -251,6 +251,67 @@ TEST_P(ximgproc_GWatershed_temporal, is_not_disturbed_by_merging_and_threads)
     }
 }
 
+//! Depth of a slanted wall with a box before it, from disparity whose error is new in each frame, as that of stereo.
+Mat makeStereoDepth(Size size, RNG& rng)
+{
+    Mat errors(size / 5, CV_32FC1), disparity, depth;
+    rng.fill(errors, RNG::NORMAL, 0, 0.5);
+    cv::resize(errors, disparity, size, 0, 0, INTER_LINEAR);
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+            disparity.at<float>(y, x) += Rect(60, 40, 70, 60).contains(Point(x, y)) ? 40 : 20 + 0.03f * float(x);
+    cv::divide(40000, disparity, depth, CV_16U);
+    return depth;
+}
+
+// Normals of such depth are noise. As long as they counted in full, 0.85 of the pixels kept their labels.
+TEST(ximgproc_SuperpixelGWatershed, labels_stay_where_the_depth_of_stereo_changes)
+{
+    RNG& rng = theRNG();
+    double sum = 0;
+    const int scenes = 4, frames = 8;
+    for (int i = 0; i < scenes; i++)
+    {
+        const Mat scene = makeScene(Size(200, 150), rng);
+        Ptr<SuperpixelGWatershed> gws = createTemporal(scene.size(), RGWATERSHED, 120);
+        Mat last;
+        for (int frame = 0; frame <= frames; frame++)
+        {
+            gws->iterate(addNoise(scene, rng), makeStereoDepth(scene.size(), rng));
+            const Mat labels = labelsOf(gws);
+            sum += frame > 0 ? shareKept(last, labels, Point()) : 0;
+            last = labels;
+        }
+    }
+    EXPECT_GT(sum / (scenes * frames), 0.9);
+}
+
+// The normals of surfaces count in a video as well: only they tell walls of one colour apart near to the corner.
+TEST(ximgproc_SuperpixelGWatershed, boundaries_stay_in_a_corner_that_moves)
+{
+    const Size size(200, 150);
+    RNG& rng = theRNG();
+    const Mat image(size, CV_8UC3, Scalar(120, 125, 130));
+    Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 80);
+    double sum = 0;
+    const int frames = 20;
+    for (int i = 0; i < frames; i++)
+    {
+        Mat depth(size, CV_32FC1), walls(size, CV_8UC1);
+        for (int y = 0; y < size.height; y++)
+            for (int x = 0; x < size.width; x++)
+            {
+                const int from_corner = x - 50 - 4 * i;
+                walls.at<uchar>(y, x) = from_corner < 0;
+                depth.at<float>(y, x) = 1 / (0.4f + 0.0005f * float(std::abs(from_corner)) +
+                                             float(rng.gaussian(0.0002)));
+            }
+        gws->iterate(addNoise(image, rng), depth);
+        sum += purity(labelsOf(gws), gws->getNumberOfSuperpixels(), walls);
+    }
+    EXPECT_GT(sum / frames, 0.987);
+}
+
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_temporal, testing::ValuesIn(ALGORITHMS));
 
 // Some regions are kept by chance, so single scenes lose more than their mean: 1 in 50 of them more than 0.01.

@@ -29,7 +29,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     CV_TRACE_FUNCTION();
     if (!frame.mask.empty())
         masks_.build(frame.mask);
-    const Plan plan(frame, parameters, masks_);
+    Plan plan(frame, parameters, masks_);
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
@@ -37,13 +37,15 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
-    else if (!frame.continues ||
-             !tracker_.track(plan, features_, mask, sweepers_[top], merge_buffers, labels_[top], regions_))
+    else if (!track(frame, mask, merge_buffers, plan))
     {
         floodBlocks(plan, mask);
         sweepAndMerge(plan, merge_buffers);
         if (parameters.temporal)
+        {
             tracker_.start(plan, features_[top], labels_[top], regions_);
+            normal_trust_.start(features_[0].normals);
+        }
     }
     settle(frame, plan, num_iterations);
     if (plan.merges_pixels)
@@ -52,6 +54,21 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top].view());
     return regions_.size();
+}
+
+//! A frame that continues from the last one takes the regions of that along. From then on, normals count as far as they
+//! can be trusted. Returns false, with the plan as it was, if there is nothing to take.
+bool RGWatershed::track(const Frame& frame, const Mat& mask, MergeBuffers& merge_buffers, Plan& plan)
+{
+    if (!frame.continues)
+        return false;
+    const int top = plan.levels.top;
+    Plan of_video = plan;
+    of_video.sweep.distance.trustNormals(normal_trust_.next(features_[0].normals));
+    if (!tracker_.track(of_video, features_, mask, sweepers_[top], merge_buffers, labels_[top], regions_))
+        return false;
+    plan = of_video;
+    return true;
 }
 
 //! Steps 2 and 3: more regions than asked for.

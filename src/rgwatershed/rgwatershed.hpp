@@ -7,6 +7,7 @@
 
 #include "rgwatershed/block_markers.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/normal_trust.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/tuning.hpp"
@@ -35,6 +36,7 @@ private:
     void sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
     void merge(const Plan& plan, int level, int num_regions, const MergeRules& rules, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
+    bool track(const Frame& frame, const Mat& mask, MergeBuffers& merge_buffers, Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
     void mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers);
@@ -46,6 +48,7 @@ private:
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];
     RegionTracker tracker_;
+    NormalTrust normal_trust_;
 
     // Buffers.
     Mat gradient_, steps_;

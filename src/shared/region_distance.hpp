@@ -43,6 +43,9 @@ public:
         weights[1][3] = short(depth_share);
     }
 
+    //! Lets normals count less: 0 to 1 of what they do.
+    void trustNormals(float trust) { normal_share = cvRound(float(normal_share) * trust); }
+
     //! The distance of colours alone, with the weights that they have beside depth, if there are surfaces. Depth says
     //! nothing from pixel to pixel: on a slanted plane it has a step at each of them.
     RegionDistance withoutSurface() const

@@ -382,18 +382,18 @@ public:
     image continues the last segmentation: a superpixel keeps its label as long as it can be followed, over
     motions of less than a quarter of its side from frame to frame.
 
-    RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than
-    when they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays
-    the same. If superpixels that explain it much worse cover more than half of the image, all start again. GWATERSHED
-    moves each marker to the middle of its last region; the markers of regions that have become small, below a quarter
-    of the mean area, move into the largest ones. Boundaries also move a little on a still image.
+    RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than when
+    they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays the same.
+    If superpixels that explain it much worse cover more than half of the image, all start again. GWATERSHED moves each
+    marker to the middle of its last region; the markers of regions that have become small, below a quarter of the mean
+    area, move into the largest ones. Boundaries also move a little on a still image. Normals of RGWATERSHED that are
+    new in each frame, as those of stereo, count less.
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
     of these frames has user markers; and, for RGWATERSHED, if a new ruler or effort changes the size of the blocks, or
     if depth with normals comes or goes and these blocks do not divide the image evenly.
-    @note mergeSimilar(), mergeSmall() and enforceLabelConnectivity() renumber the labels of one frame only. The next
-    frame continues from the result of iterate(). */
+    @note What mergeSimilar() and alike renumber is the labels of one frame: the next one continues from iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
     /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
