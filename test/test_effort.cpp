@@ -207,26 +207,6 @@ Ptr<SuperpixelGWatershed> createTemporalWithEffort(Size size, int effort)
     return gws;
 }
 
-// Effort 3 merges pixels by their textures, which in an image of few levels are steps from one level to the next.
-TEST(ximgproc_SuperpixelGWatershed, effort_3_explains_few_levels_as_effort_2_does)
-{
-    RNG& rng = theRNG();
-    const int num_images = 10, num_cells = 90, num_superpixels = 190;
-    double unexplained[4] = {};
-    for (int i = 0; i < num_images; i++)
-    {
-        Mat image = paintCells(makeCells(Size(320, 240), num_cells, rng), num_cells, rng);
-        image.forEach<Vec3b>([](Vec3b& color, const int*)
-        {
-            for (int k = 0; k < 3; k++)
-                color[k] = uchar(color[k] & ~31);
-        });
-        for (const int effort : { 2, 3 })
-            unexplained[effort] += 1 - explainedVariation(segmentWithEffort(image, num_superpixels, effort), image);
-    }
-    EXPECT_LT(unexplained[3], 1.025 * unexplained[2]);
-}
-
 TEST(ximgproc_SuperpixelGWatershed, effort_3_of_a_video_is_effort_2)
 {
     const Mat scene = makeScene(Size(220, 160), theRNG());
