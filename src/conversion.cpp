@@ -183,18 +183,20 @@ private:
     }
 
     //! Whether the range of a picture in linear light is that of a few lamps, or of the sun: most values are between 0
-    //! and 1, and what is above would leave little to them. Whole numbers may be levels, of which many are dark.
+    //! and 1, and what is above would leave little to them. Whole numbers may be levels, of which many are dark. Black
+    //! bars and backgrounds are 0 in both, so 0 tells nothing.
     bool hasLights(ValueRange range) const
     {
         const int MOST = 8; // one value in so many
         const bool has_fractions = image_.depth() == CV_16F || image_.depth() == CV_32F || image_.depth() == CV_64F;
-        if (!has_fractions || range.first < 0 || range.last < SHARE_OF_NOMINAL)
+        if (!has_fractions || range.last < SHARE_OF_NOMINAL)
             return false;
+        const int64 zeros = std::count(values_.begin(), values_.end(), T(0));
         const int64 others = std::count_if(values_.begin(), values_.end(), [](T value)
         {
-            return value > 1 || value == std::floor(value);
+            return value < 0 || value > 1 || value == std::floor(value);
         });
-        return others * MOST <= int64(values_.size());
+        return (others - zeros) * MOST <= int64(values_.size()) - zeros;
     }
 
     //! Of all finite values.
