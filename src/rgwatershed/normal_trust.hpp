@@ -14,15 +14,16 @@ namespace cv { namespace ximgproc { namespace gws {
 class NormalTrust
 {
 public:
-    //! The first frame: nothing is known of its normals.
+    //! The first frame. Normals count in full until they are known to change.
     void start(const Mat& normals);
 
-    //! From 0 to 1, for the next frame: by how many normals are as they were in the one before.
+    //! From 0 to 1, for the next frame: by how many normals are as they were in the last frame with other ones.
     float next(const Mat& normals);
 
 private:
-    Mat last_;         // normals, or empty
-    float steady_ = 1; // share of them
+    Mat last_;         // normals that were there last; empty: none
+    float steady_ = 1; // share of normals that stayed, in the last frame with new ones
+    float trust_ = 1;  // in the last frame
 };
 
 }}} // namespace
