@@ -13,35 +13,35 @@ namespace cv { namespace ximgproc { namespace gws {
 struct FourAreas;
 struct FourRegions;
 
-//! The cost of a union: a product of powers, as the sum of logarithms. Exponents are factors then, and there are no
-//! roots and no divisions. With d the distance of the means, n the areas, h the mean contrast across the boundary, l
-//! its length, L the lightness of the means, m that of the union, C their distance in the two other channels, and a and
-//! b the steps across and down of a RegionTexture, for each pixel of the region:
-//!     (d^2 + slope e + noise)^distance (n1 n2 / (n1 + n2))^areas (h + 1)^contrast (l / root of the smaller n)^-length
-//!     (|L1 - L2| + 1)^-lightness (m + 16)^-brightness (C + 1)^chroma
-//!     (smaller a + b + 1)^-texture (larger r / smaller r)^direction,   r = (a + 0.5) / (b + 0.5)
-//!     max(1, (n1 + n2) s / usual area)^32,   s = root of max(1, root of the smaller n / l)
-//!     max(1, min((larger a + b + 1) / (smaller a + b + 1), usual area / smaller n) / 5)^-mixed
-//! e is what a slope that both regions are parts of explains of d^2: with g the mean rises of lightness across and
-//! down, half of those from one element to the next, and q = roughness * max(0, a + b - |gx| - |gy| - grain), the steps
-//! that are no slope, it is
-//!     e = (smaller g^2 - t^2 - (larger q)^2) * smaller n,   not below 0,   t = max(0, |g1 - g2| - rounding)
-//! Of blocks, q^2 is more by how unlike their rises of lightness are: the mean of their squares less g^2, less a
-//! squared third of a level. On a slope all of them rise alike, at an edge a few rise much.
-//! Colours shade where chroma rises by a tenth of a level to three levels, and a + b is hardly more than the rises of
-//! all channels, by `uneven` and a twentieth of those of chroma. Then g is, across and down, the root of the squares of
-//! all rises, those of chroma times `chroma_slope`; q is 0, and between two such regions more of |g1 - g2| is rounding.
-//! At a blurred edge colours shade, too, so e is 0 there if it explains less than an eighth of d^2.
-//! A weight below 0 takes it from d^2, so that parts of a shaded area unite in all directions; one above 0 adds it, so
-//! that all of them differ as much as in the direction of the slope. Without it, superpixels of a ramp would be strips.
-//! Parts of a plan are compact as they are, so no slope need count inside of them.
-//! With exponents of 1, the first two factors would be Ward's criterion; the noise lets small regions go first where
-//! colours are equal, and is less in a cell of the grid of markers or a part of a plan. Between rough regions, the same
-//! differences mean less. Without the limit of areas, what holds both colours of a pattern is nearer to all around it
-//! than these are to each other, and takes in one after the other. Where regions grow later, s makes strips that meet
-//! end to end too large earlier, because one of single blocks may become twice as broad; else it is 1. The last factor
-//! lets go what is made of blocks astride of an edge: its colour is that of no thing, and a sliver would be left of it.
-//! Texture that is not measured is none. The cost is the same for both orders of the regions.
+//! The cost of a union: the sum of the logarithms of these factors, each times the exponent that MergeRules has under
+//! its name. So there are no powers, roots and divisions. It is the same for both orders of the regions.
+//!     factor                                  exponent     with
+//!     d^2 + slope e + noise                   distance     d the distance of the means
+//!     n1 n2 / (n1 + n2)                       areas        n the areas; the first two are Ward's cost if these are 1
+//!     h + 1                                   contrast     h the mean contrast across the boundary
+//!     l / root of the smaller n               -length      l the length of the boundary
+//!     |L1 - L2| + 1                           -lightness   L the lightness of the means
+//!     m + 16                                  -brightness  m the lightness of the mean of the union
+//!     C + 1                                   chroma       C the distance of the means in the two other channels
+//!     smaller T                               -texture     T = a + b + 1, a and b the steps across and down of a
+//!     larger r / smaller r                    direction    RegionTexture for each pixel; r = (a + 0.5) / (b + 0.5)
+//!     max(1, s (n1 + n2) / usual area)        32           s = root of max(1, root of the smaller n / l), or 1
+//!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
+//!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
+//!     g  mean rises of lightness across and down, half of those from one element to the next
+//!     t  max(0, |g1 - g2| - rounding)
+//!     q  roughness * max(0, a + b - |gx| - |gy| - grain), steps that are no slope; of blocks, q^2 is more by the mean
+//!        of the squares of their rises less g^2, less a squared third of a level: at an edge a few rise much
+//! Noise lets small regions go first where colours are equal; it is less in a cell of the grid of markers or a part of
+//! a plan. Between rough regions, differences mean less; texture that is not measured is none. Without the limit of
+//! areas, a region with both colours of a pattern, nearer to all around it than these to each other, would take in one
+//! after the other. s is more than 1 only where regions grow later, for strips that meet end to end: they may become
+//! twice as broad. `mixed` lets go what is made of blocks astride of an edge, or a sliver would be left of it.
+//! slope < 0 lets parts of a shaded area unite in all directions; > 0 keeps a ramp from becoming strips, as all of them
+//! differ like those along the slope. Parts of a plan are compact without it. Colours shade where chroma rises by 0.1
+//! to 3 levels, and a + b is at most the rises of all channels, `uneven` and a twentieth of those of chroma. Then g is
+//! the root of their squares, chroma times `chroma_slope`, and q is 0; between two such regions more of |g1 - g2| is
+//! rounding, and e is 0 if it explains less than an eighth of d^2, as at a blurred edge.
 class UnionCost
 {
 public:
