@@ -207,15 +207,18 @@ TEST(ximgproc_SuperpixelGWatershed, integers_above_a_narrow_range_are_white)
     }
 }
 
-// What lies above one, as lamps in linear light, would leave four levels to the picture.
+// What lies above one, as lamps in linear light, would leave four levels to the picture. Black bars, and a little below
+// zero, as a sensor has it, change nothing.
 TEST(ximgproc_SuperpixelGWatershed, lights_do_not_take_the_range_from_a_picture)
 {
-    const Rect light(10, 10, 12, 12);
+    const Rect light(10, 10, 12, 12), bar(0, 50, 90, 20), dark(40, 20, 8, 8);
     for (int type : { CV_16F, CV_32F, CV_64F })
     {
         Mat image;
         makeScene(Size(90, 70), theRNG()).convertTo(image, CV_32F, 1 / 256., 1 / 512.);
         image(light).setTo(Scalar::all(60));
+        image(bar).setTo(Scalar::all(0));
+        image(dark).setTo(Scalar::all(-0.01));
         image.convertTo(image, type);
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image);
         gws->iterate();
