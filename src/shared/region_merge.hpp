@@ -31,6 +31,7 @@ public:
     //! says which unions go first.
     SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions,
                   const UnionPlan& plan = UnionPlan());
+    SimilarMerger(const SimilarMerger&) = delete; // what describes regions refers to other members
 
     //! Merges until num_regions are left, or none has a neighbour.
     void run(int num_regions);
