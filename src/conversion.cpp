@@ -270,8 +270,8 @@ void scaleIntegers(const Mat& row, RangeOf<double> range, Mat& values, Mat& scal
     values.convertTo(scaled, CV_8U, 255 / (range.last - range.first));
 }
 
-//! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them. What
-//! integers are times 255 over the span must fit an int.
+//! From a range to 0..255. Floats do where neither the values nor the span are too large or too small for them. Below a
+//! span of 1, integers times 255 over it would not fit an int.
 void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
 {
     const double span = range.last - range.first;

@@ -14,7 +14,7 @@ namespace cv { namespace ximgproc { namespace gws {
 enum { PRIORITIES_PER_LEVEL_LOG2 = 2 };
 
 //! Priorities of the four neighbours of a block: their distances to the mean of the region that reaches them, and to
-//! its marker. These have no root: the length of a vector is taken from its components within 4 percent.
+//! its marker. The latter are found without a root, from the components of a vector, within 4 percent.
 template <bool WITH_DEPTH> class NeighborPriorities
 {
 public:

@@ -136,7 +136,7 @@ inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
 inline MergeRules pixelMergeRules(float ruler)
 {
     MergeRules rules = mergeByTextures();
-    rules.texture = 66;
+    rules.texture = 66; // noise and few levels are textures, too
     rules.usual = 3.6f;
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;

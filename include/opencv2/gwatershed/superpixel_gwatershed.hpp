@@ -73,7 +73,7 @@ cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 CV_16SC1 (the disparity of cv::StereoSGBM, with minDisparity 0) or CV_8UC1 (already scaled, unless a range is set).
 Where it is 0, negative or NaN, or 65535 in CV_16UC1, depth is missing and colour alone counts. Infinity is farther than
 all else, or as far as the far end of setDepthRange(). Read depth with IMREAD_UNCHANGED. Of inverse depth w, as networks
-give it, pass 1 / (w + half of its range) as CV_32FC1: as it is, it would be taken for metric depth. Depth that is
+give it, pass 1 / (w - min + (max - min) / 2) as CV_32FC1: as it is, it would be taken for metric depth. Depth that is
 missing or the same everywhere changes nothing.
 
 **Errors.** A wrong argument throws cv::Exception, with the name of the argument, and nothing is changed. If
@@ -393,7 +393,7 @@ public:
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
     of these frames has user markers; and, for RGWATERSHED, if a new ruler or effort changes the size of the blocks, or
     if depth with normals comes or goes and these blocks do not divide the image evenly.
-    @note What mergeSimilar() and alike renumber is the labels of one frame: the next one continues from iterate(). */
+    @note mergeSimilar() and the like renumber the labels of one frame only: the next one continues from iterate(). */
     CV_WRAP virtual void setTemporal(bool temporal) = 0;
     /** @brief Whether superpixels keep their labels from frame to frame. @see setTemporal */
     CV_WRAP virtual bool getTemporal() const = 0;
@@ -406,10 +406,10 @@ public:
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
     the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first one that
     holds all values but one in 1000 (65535 if all are multiples of 257: 8 bits spread over 16); -128 to 127 for CV_8S,
-    0 to 1 for floats, also if up to an eighth of them are lights of 16 or more. Else the range is that of the finite
-    values of the frame, or of a sample, without one in 1000 at each end: always for CV_16S and CV_32S, and if more than
-    one value in 1000 is outside of the usual one, or the others span less than a sixteenth of it (not for CV_8U) or, of
-    CV_16U above 255, less than half of the lowest one, as raw thermal images.
+    0 to 1 for floats, also if up to an eighth of those that are not 0 lie outside, some at 16 or more, as lights. Else
+    the range is that of the finite values of the frame, or of a sample, without one in 1000 at each end: always for
+    CV_16S and CV_32S, and if more than one value in 1000 is outside of the usual one, or the others span less than a
+    sixteenth of it (not for CV_8U) or, of CV_16U above 255, less than half of the lowest one, as raw thermal images.
     @note The range may change from frame to frame. Set it for a video, as 0 and 4095 for 12 bits, where more than one
     pixel in 1000 is saturated, for 8 bits of few values, and for floats of a small range. */
     CV_WRAP virtual void setValueRange(float low_value, float high_value) = 0;
