@@ -37,7 +37,8 @@ static bool areSame(const Mat& normals, const Mat& before)
 void NormalTrust::start(const Mat& normals)
 {
     normals.copyTo(last_);
-    steady_ = trust_ = 1;
+    steady_ = 0; // what a cut right after it costs, one frame, is less than a second frame of boundaries in noise
+    trust_ = 1;
 }
 
 //! At a cut of the scene all normals are new, but only once. So the better one of two frames with new depth counts.
