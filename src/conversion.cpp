@@ -188,8 +188,9 @@ private:
     bool hasLights(ValueRange range) const
     {
         const int MOST = 8; // one value in so many
+        const T LITTLE = 4; // with this range or more, a quarter of the levels is left
         const bool has_fractions = image_.depth() == CV_16F || image_.depth() == CV_32F || image_.depth() == CV_64F;
-        if (!has_fractions || range.last < SHARE_OF_NOMINAL)
+        if (!has_fractions || range.last < LITTLE)
             return false;
         const int64 zeros = std::count(values_.begin(), values_.end(), T(0));
         const int64 others = std::count_if(values_.begin(), values_.end(), [](T value)

@@ -406,7 +406,7 @@ public:
     @param high_value Value that becomes 255. Higher values become 255, too. low_value < high_value, finite; or both 0,
     the default, for the usual range: 0 to 255 for CV_8U, to 255, 511, 1023, ... or 65535 for CV_16U, the first one that
     holds all values but one in 1000 (65535 if all are multiples of 257: 8 bits spread over 16); -128 to 127 for CV_8S,
-    0 to 1 for floats, also if up to an eighth of those that are not 0 lie outside, some at 16 or more, as lights. Else
+    0 to 1 for floats, also if up to an eighth of those that are not 0 lie outside, some at 4 or more, as lights. Else
     the range is that of the finite values of the frame, or of a sample, without one in 1000 at each end: always for
     CV_16S and CV_32S, and if more than one value in 1000 is outside of the usual one, or the others span less than a
     sixteenth of it (not for CV_8U) or, of CV_16U above 255, less than half of the lowest one, as raw thermal images.
