@@ -86,6 +86,8 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
     if (!markers.empty())
     {
         frame.num_superpixels = numberMarkers(markers, frame.mask, numbered_);
+        if (result.parameters.algorithm == RGWATERSHED)
+            frame.num_superpixels = divideMarkers(frame.num_superpixels, numbered_, frame.owners);
         frame.markers = numbered_;
     }
     return frame;
@@ -124,7 +126,13 @@ void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentat
     else
     {
         result.number = rgwatershed_.run(frame, parameters, num_iterations, merge_buffers_);
-        result.take(rgwatershed_.labels());
+        Mat found = rgwatershed_.labels();
+        if (!frame.owners.empty())
+        {
+            joinMarkers(frame.owners, found);
+            result.number = 1 + *std::max_element(frame.owners.begin(), frame.owners.end());
+        }
+        result.take(found);
     }
     if (!frame.mask.empty())
     {

@@ -40,4 +40,49 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered)
     return int(values.size());
 }
 
+int divideMarkers(int num_markers, Mat& numbered, std::vector<int>& owners)
+{
+    CV_TRACE_FUNCTION();
+    const int MANY = 32, SIDE = 8; // pixels of a cell
+    owners.clear();
+    if (num_markers >= MANY)
+        return num_markers;
+    std::vector<int> parts(num_markers, -1); // the last one of each marker
+    const Rect all(Point(), numbered.size());
+    for (int top = 0; top < all.height; top += SIDE)
+        for (int left = 0; left < all.width; left += SIDE)
+        {
+            const int first = int(owners.size());
+            const Rect cell = Rect(left, top, SIDE, SIDE) & all;
+            for (int y = cell.y; y < cell.br().y; y++)
+                for (int x = cell.x; x < cell.br().x; x++)
+                {
+                    int& number = numbered.at<int>(y, x);
+                    if (number < 0)
+                        continue;
+                    int& part = parts[number];
+                    if (part < first)
+                    {
+                        part = int(owners.size());
+                        owners.push_back(number);
+                    }
+                    number = part;
+                }
+        }
+    return int(owners.size());
+}
+
+void joinMarkers(const std::vector<int>& owners, Mat& labels)
+{
+    parallel_for_(Range(0, labels.rows), [&](const Range& rows)
+    {
+        for (int y = rows.start; y < rows.end; y++)
+        {
+            int* row = labels.ptr<int>(y);
+            for (int x = 0; x < labels.cols; x++)
+                row[x] = row[x] >= 0 ? owners[row[x]] : row[x];
+        }
+    });
+}
+
 }}} // namespace

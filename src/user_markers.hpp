@@ -13,6 +13,14 @@ namespace cv { namespace ximgproc { namespace gws {
 //! outside of the mask if it is not empty, become -1. Returns how many values there are.
 int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 
+//! A few markers, as scribbles, are drawn on things of any size, with all of their colours. So each part of one, in a
+//! cell of a grid, gets a number of its own, and grows by the colours near to it. Returns how many there are. owners
+//! has the marker of each part; it is empty if the markers are too many for that, and stay whole.
+int divideMarkers(int num_markers, Mat& numbered, std::vector<int>& owners);
+
+//! Gives parts the numbers of their markers.
+void joinMarkers(const std::vector<int>& owners, Mat& labels);
+
 }}} // namespace
 
 #endif

@@ -190,9 +190,8 @@ TEST_P(ximgproc_GWatershed_markers, many_points_in_noise_share_the_image)
     EXPECT_LT(countNonZero(areas < mean / 20), count / 4);
 }
 
-//! The share of a disc, and of what is in the superpixel of its marker, that is in both. Before a background of two
-//! colours, of which the disc has the mean, with num_markers for it.
-double overlapWithDisc(int algorithm, int num_markers)
+// The background has two colours, of which the object has the mean.
+TEST_P(ximgproc_GWatershed_markers, two_separate_an_object_from_its_background)
 {
     Mat image(120, 160, CV_8UC1, Scalar(60)), disc = Mat::zeros(image.size(), CV_8UC1);
     image.colRange(80, 160).setTo(Scalar(180));
@@ -200,20 +199,40 @@ double overlapWithDisc(int algorithm, int num_markers)
     image.setTo(Scalar(120), disc);
     Mat markers = Mat::zeros(image.size(), CV_32SC1);
     rectangle(markers, Rect(Point(), image.size()), Scalar(2), 3);
-    if (num_markers == 2)
-        markers.colRange(80, 160).setTo(Scalar(3), markers.colRange(80, 160) > 0);
     circle(markers, Point(80, 60), 8, Scalar(1), FILLED);
-    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, algorithm);
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
     gws->setMarkers(markers);
-    gws->iterate();
-    const Mat found = labelsOf(gws) == 0;
-    return double(countNonZero(found & disc)) / countNonZero(found | disc);
+    for (int iterations : { 1, 5 })
+    {
+        gws->iterate(iterations);
+        EXPECT_EQ(2, gws->getNumberOfSuperpixels());
+        const Mat found = labelsOf(gws) == 0;
+        EXPECT_GT(double(countNonZero(found & disc)) / countNonZero(found | disc), 0.95) << iterations;
+    }
 }
 
-TEST(ximgproc_GWatershed_two_markers, separate_an_object_from_its_background)
+// Parts of markers are joined where the explained variation is what further iterations go by.
+TEST_P(ximgproc_GWatershed_markers, more_iterations_of_few_explain_no_less)
 {
-    EXPECT_GT(overlapWithDisc(GWATERSHED, 1), 0.95);
-    EXPECT_GT(overlapWithDisc(RGWATERSHED, 2), 0.95); // it compares with the mean of the whole marker
+    RNG& rng = theRNG();
+    for (int i = 0; i < 10; i++)
+    {
+        const Mat image = makeScene(Size(120, 90), rng);
+        Mat markers = Mat::zeros(image.size(), CV_32SC1);
+        for (int k = 1; k < 10; k++)
+            line(markers, Point(rng.uniform(0, 120), rng.uniform(0, 90)),
+                 Point(rng.uniform(0, 120), rng.uniform(0, 90)), Scalar(k), 2);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam());
+        gws->setMarkers(markers);
+        double before = 0;
+        for (int iterations = 1; iterations < 8; iterations++)
+        {
+            gws->iterate(iterations);
+            const double now = explainedVariation(labelsOf(gws), image);
+            EXPECT_GE(now, before - 1e-9) << i << ", " << iterations;
+            before = now;
+        }
+    }
 }
 
 INSTANTIATE_TEST_CASE_P(/**/, ximgproc_GWatershed_markers, testing::ValuesIn(ALGORITHMS));

@@ -163,6 +163,8 @@ void BoundarySweeper::updateRegions(const FeatureMap& features, VariationGuard* 
             updateRegions(Range(int(int64(n) * i / stripes), int(int64(n) * (i + 1) / stripes)), features, guard,
                           regions);
     });
+    if (guard)
+        guard->joinOwned();
 }
 
 //! Sums and means of some regions. Most moves are of regions near to each other, which have numbers near to each other,

@@ -117,14 +117,14 @@ void RGWatershed::merge(const Plan& plan, int level, int num_regions, const Merg
 }
 
 //! Many small markers are seeds of superpixels, as those of a grid, and have a ruler as these: one that begins with the
-//! noise of its pixel would get nothing. A few are drawn on things of any size, and have none.
+//! noise of its pixel would get nothing. Parts of a few markers are on things of any size, and have none.
 static int rulerOfMarkers(const Frame& frame, const Plan& plan, const Regions& regions)
 {
-    const int MANY = 32, SMALL = 8; // so many of one cover the share of one superpixel at most
+    const int SMALL = 8; // so many of one cover the share of one superpixel at most
     int largest = 0;
     for (const RegionSum& sum : regions.sums)
         largest = std::max(largest, sum.area);
-    const bool are_seeds = regions.size() >= MANY && double(largest) * SMALL * regions.size() <= frame.num_pixels;
+    const bool are_seeds = frame.owners.empty() && double(largest) * SMALL * regions.size() <= frame.num_pixels;
     return are_seeds ? plan.floodRuler(frame.num_pixels, regions.size()) : 0;
 }
 
@@ -207,7 +207,7 @@ void RGWatershed::iterateMore(const Frame& frame, const Plan& plan, int num_iter
     CV_TRACE_FUNCTION();
     if (num_iterations == 1)
         return;
-    VariationGuard guard(frame.color, labels_[0], regions_.size());
+    VariationGuard guard(frame.color, labels_[0], regions_.size(), frame.owners);
     SweepRules rules = plan.sweepOn(0);
     rules.guard = &guard;
     for (int i = 1; i < num_iterations && sweepers_[0].moved(); i++)

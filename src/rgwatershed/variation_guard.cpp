@@ -7,8 +7,9 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions)
-    : color_(color), sums_(num_regions, Vec3d::all(0)), means_(num_regions), areas_(num_regions, 0)
+VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions,
+                               const std::vector<int>& owners)
+    : color_(color), sums_(num_regions, Vec3d::all(0)), means_(num_regions), areas_(num_regions, 0), owners_(owners)
 {
     const int cn = color.channels(), green = cn == 1 ? 0 : 1, red = cn == 1 ? 0 : 2;
     for (int y = 0; y < color.rows; y++)
@@ -33,6 +34,7 @@ VariationGuard::VariationGuard(const Mat& color, const Padded<int>& labels, int 
         }
     }
     update(Range(0, num_regions));
+    joinOwned();
 }
 
 Vec3d VariationGuard::colorAt(Point p) const
@@ -58,14 +60,36 @@ void VariationGuard::add(Point p, int region, int times)
     areas_[region] += times;
 }
 
-//! The means are taken in steps of 2^-17, so that squared distances to them are exact in doubles: the same whether or
-//! not a compiler fuses products with sums, also where a pixel lies half way between two means.
-void VariationGuard::update(const Range& regions)
+//! Means are taken in steps of 2^-17, so that squared distances to them are exact in doubles: the same whether or not a
+//! compiler fuses products with sums, also where a pixel lies half way between two means.
+static double meanOf(double sum, int area)
 {
     const double STEPS = 1 << 17;
+    return cvRound(STEPS * sum / area) / STEPS;
+}
+
+void VariationGuard::update(const Range& regions)
+{
     for (int i = regions.start; i < regions.end; i++)
         for (int k = 0; k < 3; k++)
-            means_[i][k] = cvRound(STEPS * sums_[i][k] / areas_[i]) / STEPS;
+            means_[i][k] = meanOf(sums_[i][k], areas_[i]);
+}
+
+void VariationGuard::joinOwned()
+{
+    if (owners_.empty())
+        return;
+    const size_t num_owners = 1 + *std::max_element(owners_.begin(), owners_.end());
+    std::vector<Vec3d> sums(num_owners, Vec3d::all(0));
+    std::vector<int> areas(num_owners, 0);
+    for (size_t i = 0; i < owners_.size(); i++)
+    {
+        sums[owners_[i]] += sums_[i];
+        areas[owners_[i]] += areas_[i];
+    }
+    for (size_t i = 0; i < owners_.size(); i++)
+        for (int k = 0; k < 3; k++)
+            means_[i][k] = meanOf(sums[owners_[i]][k], areas[owners_[i]]);
 }
 
 }}} // namespace

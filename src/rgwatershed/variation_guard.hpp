@@ -13,8 +13,9 @@ namespace cv { namespace ximgproc { namespace gws {
 class VariationGuard
 {
 public:
-    //! color is 8-bit with 1, 3 or 4 channels; the first three count.
-    VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions);
+    //! color is 8-bit with 1, 3 or 4 channels; the first three count. Regions of one owner are one; each is one by
+    //! itself if there are no owners.
+    VariationGuard(const Mat& color, const Padded<int>& labels, int num_regions, const std::vector<int>& owners);
 
     //! Whether a pixel is as near to the mean colour of the region `to` as to that of `from`, or nearer.
     bool permits(Point p, int from, int to) const;
@@ -24,6 +25,8 @@ public:
     void add(Point p, int region, int times);
     //! Takes the means of some regions anew.
     void update(const Range& regions);
+    //! Then, when all are new, gives regions of one owner the mean of all of them.
+    void joinOwned();
 
 private:
     Vec3d colorAt(Point p) const;
@@ -31,6 +34,7 @@ private:
     Mat color_;
     std::vector<Vec3d> sums_, means_;
     std::vector<int> areas_;
+    const std::vector<int> owners_;
     bool permits_ties_ = true;
 };
 

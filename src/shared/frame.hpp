@@ -18,8 +18,9 @@ struct Frame
     Camera camera; //!< of the normals
     Mat mask;    //!< CV_8UC1, 255 inside and 0 outside; empty if all pixels are inside
     Mat markers; //!< CV_32SC1, the label of a marker, or below 0; empty if markers are not given by the user
+    std::vector<int> owners; //!< the marker of the user of which each label is a part; empty if they are whole
     int num_pixels = 0;      //!< inside of the mask
-    int num_superpixels = 0; //!< asked for, or the number of markers of the user
+    int num_superpixels = 0; //!< asked for, or the number of labels of the markers
     bool continues = false;  //!< continues the last frame, which had the same size, mask and number
 };
 

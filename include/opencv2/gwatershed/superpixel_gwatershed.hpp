@@ -294,8 +294,8 @@ public:
     of superpixels and the region size are ignored. All pixels of a marker stay in its superpixel. Markers may touch
     each other and the border of the image. A marker in several pieces makes a superpixel in several pieces, at most as
     many. What no marker reaches, in other components of a mask, has the label -1. RGWATERSHED floods pixels then, which
-    takes longer, and compares with the mean of a whole marker: give each colour of a background, and parts of a slanted
-    surface, markers of their own. Its flood has a ruler only for 32 markers or more, none above 1/8 of the mean area.
+    takes longer. Fewer than 32 markers may have many colours each: their parts, in cells of 8x8 pixels, grow by means
+    of their own. Of 32 or more each has one mean, and a ruler if none is above 1/8 of the mean area.
 
     @param markers CV_32SC1: positive values are markers, all others unknown (add 1 to a label map of getLabels()).
     Empty for none. It is copied, and kept until the next setMarkers() or clear(). iterate() throws if the size differs.
