@@ -108,7 +108,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.slope = rules.slope_in_cell = -24;
     rules.rounding = 0.15f; // of blocks, so of few values
     rules.uneven = 0.3f;
-    rules.chroma_slope = 1.25f;
+    rules.chroma_slope = 1.75f;
     rules.roughness = 128;
     rules.usual = 3;
     rules.grow = true;

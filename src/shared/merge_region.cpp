@@ -25,41 +25,47 @@ void RegionDescriber::describeTexture(int region, MergeRegion& record) const
     describeSlope(texture, 1 / area, record);
 }
 
-//! How unlike the rises of lightness are in the blocks of a region, squared: on a slope all of them rise alike, at an
-//! edge a few rise much.
-static float unevennessOf(const RegionTexture& texture, float share)
+//! How unlike the rises of some channels are in the blocks of a region, squared, less what is even: on a slope all of
+//! them rise alike, at an edge a few rise much.
+static float unevennessOf(const float* squares, const float (*rises)[2], int num_channels, float share, float even)
 {
-    const float FLAT = 0.35f * float(SLOPE_OF_LEVEL);
-    float sum = 0;
-    for (int i = 0; i < 2; i++)
-    {
-        const float mean = texture.rises[0][i] * share;
-        sum += texture.squares[0][i] * share - mean * mean;
-    }
-    return std::max(sum - FLAT * FLAT, 0.f);
+    float sum = (squares[0] + squares[1]) * share - even * even;
+    for (int k = 0; k < num_channels; k++)
+        for (int i = 0; i < 2; i++)
+            sum -= rises[k][i] * rises[k][i] * share * share;
+    return std::max(sum, 0.f);
 }
 
 //! Steps that are no slope go up and down, or are of the other channels: noise, as far as they are small. Where nearly
-//! all steps are one slope of all channels, this is that of the region, and it has no roughness. Chroma that rises by
-//! three levels or more for each pixel is an edge or a pattern.
+//! all steps are one slope of all channels, this is that of the region, and it has no roughness. So it is, as far as
+//! blocks rise alike, where chroma rises among noise. Chroma that rises much for each pixel is an edge or a pattern.
 void RegionDescriber::describeSlope(const RegionTexture& texture, float share, MergeRegion& record) const
 {
     const float LEVEL = SLOPE_OF_LEVEL;
     int rises[3][2], light = 0, chroma = 0;
+    float squared_chroma = 0;
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < 2; i++)
         {
             rises[k][i] = cvRound(texture.rises[k][i] * share);
             (k == 0 ? light : chroma) += std::abs(rises[k][i]);
+            squared_chroma += k == 0 ? 0.f : float(rises[k][i]) * float(rises[k][i]);
         }
     const int others = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL) - light;
-    const bool is_ramp = (others - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma;
-    const bool is_shade = is_ramp && chroma > SLOPE_OF_LEVEL / 10 && chroma < 3 * SLOPE_OF_LEVEL;
+    const float uneven_light = unevennessOf(texture.squares[0], texture.rises, 1, share, 0.35f * LEVEL);
+    const float uneven = uneven_light + unevennessOf(texture.squares[1], texture.rises + 1, 2, share, 0.4f * LEVEL);
+    const bool is_ramp = (others - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma && chroma < 3 * LEVEL;
+    const bool are_blocks = texture.squares[1][0] + texture.squares[1][1] > 0;
+    const bool is_noisy_ramp = are_blocks && uneven < squared_chroma && 2 * chroma > light && chroma < 1.25f * LEVEL;
+    const bool is_shade = (is_ramp || is_noisy_ramp) && chroma > SLOPE_OF_LEVEL / 10;
+    const float part = is_shade && !is_ramp ? std::sqrt(1 - uneven / squared_chroma) : 1;
     for (int i = 0; i < 2; i++)
-        record.slope[i] = short(is_shade ? riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope)
-                                         : rises[0][i]);
+    {
+        const int of_colors = riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope);
+        record.slope[i] = short(is_shade ? cvRound(part * float(of_colors)) : rises[0][i]);
+    }
     const int noise = std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
-    const float rough = std::sqrt(float(noise) * float(noise) + unevennessOf(texture, share));
+    const float rough = std::sqrt(float(noise) * float(noise) + uneven_light);
     record.rough = is_shade ? int(IS_SHADE) : cvRound(std::min(rough, float(STEEPEST_SLOPE)));
 }
 

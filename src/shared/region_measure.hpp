@@ -18,10 +18,14 @@ struct RegionTexture
 {
     float rises[3][2]; //!< of each channel, across and down
     float across, down;
-    float squares[2][2]; //!< of the rises of the first channels, 0 where only pixels were measured
+    float squares[2][2]; //!< of the rises of lightness, and of both others, 0 where only pixels were measured
 
     //! The sums of a block.
-    void add(const v_float32x4& first, const v_float32x4& last) { add(first, last, multiply(first, first)); }
+    void add(const v_float32x4& first, const v_float32x4& last)
+    {
+        const v_float32x4 last_chroma = v_combine_low(v_setzero_f32(), last);
+        add(first, last, gws::add(multiply(first, first), multiply(last_chroma, last_chroma)));
+    }
     void add(const RegionTexture& t) { add(v_load(t.rises[0]), v_load(t.rises[2]), v_load(t.squares[0])); }
 
     //! From levels, with the weights of the channels.

@@ -41,7 +41,8 @@ struct FourRegions;
 //! differ like those along the slope. Parts of a plan are compact without it. Colours shade where chroma rises by 0.1
 //! to 3 levels, and a + b is at most the rises of all channels, `uneven` and a twentieth of those of chroma. Then g is
 //! the root of their squares, chroma times `chroma_slope`, and q is 0; between two such regions more of |g1 - g2| is
-//! rounding, and e is 0 if it explains less than an eighth of d^2, as at a blurred edge.
+//! rounding, and e is 0 if it explains less than an eighth of d^2, as at a blurred edge. In noise colours shade where
+//! the rises of blocks are less unlike than those of chroma are high, and g is less by that part of their square.
 class UnionCost
 {
 public:
