@@ -54,9 +54,11 @@ void RegionDescriber::describeSlope(const RegionTexture& texture, float share, M
     const int others = cvRound((texture.across + texture.down) * share * LEVEL / STEPS_PER_LEVEL) - light;
     const float uneven_light = unevennessOf(texture.squares[0], texture.rises, 1, share, 0.35f * LEVEL);
     const float uneven = uneven_light + unevennessOf(texture.squares[1], texture.rises + 1, 2, share, 0.4f * LEVEL);
-    const bool is_ramp = (others - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma && chroma < 3 * LEVEL;
+    const bool is_clean = (others - chroma - cvRound(rules_.uneven * LEVEL)) * 20 <= chroma;
+    const bool is_ramp = is_clean && chroma < 3 * SLOPE_OF_LEVEL;
     const bool are_blocks = texture.squares[1][0] + texture.squares[1][1] > 0;
-    const bool is_noisy_ramp = are_blocks && uneven < squared_chroma && 2 * chroma > light && chroma < 1.25f * LEVEL;
+    const bool are_alike = are_blocks && uneven < squared_chroma && 2 * chroma > light;
+    const bool is_noisy_ramp = are_alike && 4 * chroma < 5 * SLOPE_OF_LEVEL;
     const bool is_shade = (is_ramp || is_noisy_ramp) && chroma > SLOPE_OF_LEVEL / 10;
     const float part = is_shade && !is_ramp ? std::sqrt(1 - uneven / squared_chroma) : 1;
     for (int i = 0; i < 2; i++)
