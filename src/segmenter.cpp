@@ -7,6 +7,7 @@
 #include "conversion.hpp"
 #include "depth/depth_scale.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "shared/renumber.hpp"
 #include "user_markers.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -129,7 +130,7 @@ void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentat
         Mat found = rgwatershed_.labels();
         if (!frame.owners.empty())
         {
-            joinMarkers(frame.owners, found);
+            renumber(frame.owners, found);
             result.number = 1 + *std::max_element(frame.owners.begin(), frame.owners.end());
         }
         result.take(found);

@@ -72,17 +72,4 @@ int divideMarkers(int num_markers, Mat& numbered, std::vector<int>& owners)
     return int(owners.size());
 }
 
-void joinMarkers(const std::vector<int>& owners, Mat& labels)
-{
-    parallel_for_(Range(0, labels.rows), [&](const Range& rows)
-    {
-        for (int y = rows.start; y < rows.end; y++)
-        {
-            int* row = labels.ptr<int>(y);
-            for (int x = 0; x < labels.cols; x++)
-                row[x] = row[x] >= 0 ? owners[row[x]] : row[x];
-        }
-    });
-}
-
 }}} // namespace

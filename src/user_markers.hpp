@@ -18,9 +18,6 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered);
 //! has the marker of each part; it is empty if the markers are too many for that, and stay whole.
 int divideMarkers(int num_markers, Mat& numbered, std::vector<int>& owners);
 
-//! Gives parts the numbers of their markers.
-void joinMarkers(const std::vector<int>& owners, Mat& labels);
-
 }}} // namespace
 
 #endif

@@ -246,6 +246,30 @@ Rect boundsOf(const std::vector<Point>& points)
     return Rect(low, high + Point(1, 1));
 }
 
+std::vector<std::vector<Point> > pixelsOf(const Mat& labels)
+{
+    std::vector<std::vector<Point> > pixels(numberOfLabels(labels));
+    for (int y = 0; y < labels.rows; y++)
+        for (int x = 0; x < labels.cols; x++)
+            pixels[labels.at<int>(y, x)].push_back(Point(x, y));
+    return pixels;
+}
+
+double medianAspect(const Mat& labels)
+{
+    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
+    std::vector<double> aspects;
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        if (pixels[i].empty())
+            continue;
+        const Size box = boundsOf(pixels[i]).size();
+        aspects.push_back(double(std::max(box.width, box.height)) / std::min(box.width, box.height));
+    }
+    std::nth_element(aspects.begin(), aspects.begin() + aspects.size() / 2, aspects.end());
+    return aspects[aspects.size() / 2];
+}
+
 int countMaskPieces(const Mat& mask)
 {
     Mat own(mask.size(), CV_32SC1, Scalar(0)); // each pixel outside has a number of its own

@@ -56,6 +56,10 @@ void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels);
 //! Bounding box of points; cv::boundingRect() is in another module in OpenCV 5, and wrong for masks two pixels wide
 //! in 4.6.
 Rect boundsOf(const std::vector<Point>& points);
+//! The pixels of each label, of which some may have none.
+std::vector<std::vector<Point> > pixelsOf(const Mat& labels);
+//! The median over the superpixels of the longer side of the bounding box over the shorter one. Labels may be missing.
+double medianAspect(const Mat& labels);
 //! Number of 4-connected pieces of a mask.
 int countMaskPieces(const Mat& mask);
 bool equalMats(const Mat& a, const Mat& b);

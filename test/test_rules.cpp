@@ -355,40 +355,4 @@ TEST(ximgproc_SuperpixelGWatershed, region_size_gives_no_full_rows_of_stretched_
     EXPECT_EQ(20, gws->getNumberOfSuperpixels());
 }
 
-//! The median over superpixels of the longer side of a box over the shorter one.
-double medianAspect(const Ptr<SuperpixelGWatershed>& gws)
-{
-    Mat_<int> stats;
-    gws->getStatistics(noArray(), noArray(), stats, noArray());
-    std::vector<double> aspects;
-    for (int i = 0; i < stats.rows; i++)
-    {
-        const double aspect = double(stats(i, CC_STAT_WIDTH)) / stats(i, CC_STAT_HEIGHT);
-        aspects.push_back(std::max(aspect, 1 / aspect));
-    }
-    std::nth_element(aspects.begin(), aspects.begin() + aspects.size() / 2, aspects.end());
-    return aspects[aspects.size() / 2];
-}
-
-TEST(ximgproc_SuperpixelGWatershed, few_ramps_between_two_colours_become_strips)
-{
-    RNG& rng = theRNG();
-    const int num_ramps = 150;
-    int strips = 0;
-    for (int i = 0; i < num_ramps; i++)
-    {
-        Mat colors(1, 2, CV_64FC3), ramp(240, 320, CV_64FC3), noise(ramp.size(), CV_64FC3), image;
-        rng.fill(colors, RNG::UNIFORM, 0, 256);
-        const Vec3d from = colors.at<Vec3d>(0), to = colors.at<Vec3d>(1);
-        for (int x = 0; x < ramp.cols; x++)
-            ramp.col(x).setTo(Scalar(from + (to - from) * (x / 319.)));
-        rng.fill(noise, RNG::NORMAL, 0, i % 2);
-        cv::add(ramp, noise, image, noArray(), CV_8U);
-        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 13 + 4 * (i % 3));
-        gws->iterate();
-        strips += medianAspect(gws) > 1.6;
-    }
-    EXPECT_LE(strips, 0.3 * num_ramps); // over 320 pixels ramps are steep
-}
-
 }} // namespace

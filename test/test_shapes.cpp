@@ -31,15 +31,6 @@ Mat mergedToATenth(const Mat& image, int region_size)
     return labelsOf(gws);
 }
 
-std::vector<std::vector<Point> > pixelsOf(const Mat& labels)
-{
-    std::vector<std::vector<Point> > pixels(numberOfLabels(labels));
-    for (int y = 0; y < labels.rows; y++)
-        for (int x = 0; x < labels.cols; x++)
-            pixels[labels.at<int>(y, x)].push_back(Point(x, y));
-    return pixels;
-}
-
 //! Areas of the smallest and of the largest superpixel, in mean areas.
 Vec2d extremeAreas(const Mat& labels)
 {
@@ -52,22 +43,6 @@ Vec2d extremeAreas(const Mat& labels)
         extremes[1] = std::max(extremes[1], double(pixels[i].size()) / mean);
     }
     return extremes;
-}
-
-//! The median over the superpixels of the longer side of the bounding box over the shorter one. Labels may be missing.
-double medianAspect(const Mat& labels)
-{
-    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
-    std::vector<double> aspects;
-    for (size_t i = 0; i < pixels.size(); i++)
-    {
-        if (pixels[i].empty())
-            continue;
-        const Size box = boundsOf(pixels[i]).size();
-        aspects.push_back(double(std::max(box.width, box.height)) / std::min(box.width, box.height));
-    }
-    std::nth_element(aspects.begin(), aspects.begin() + aspects.size() / 2, aspects.end());
-    return aspects[aspects.size() / 2];
 }
 
 void addNoise(Mat& image, double level)
@@ -377,6 +352,27 @@ TEST(ximgproc_SuperpixelGWatershed, few_strips_on_a_ramp_of_colours)
         }
     EXPECT_LE(means[0], 2.2);
     EXPECT_LE(means[1], 2.1);
+}
+
+TEST(ximgproc_SuperpixelGWatershed, few_ramps_between_two_colours_become_strips)
+{
+    RNG& rng = theRNG();
+    const int num_ramps = 150;
+    int strips = 0;
+    for (int i = 0; i < num_ramps; i++)
+    {
+        Mat colors(1, 2, CV_64FC3), ramp(240, 320, CV_64FC3), noise(ramp.size(), CV_64FC3), image;
+        rng.fill(colors, RNG::UNIFORM, 0, 256);
+        const Vec3d from = colors.at<Vec3d>(0), to = colors.at<Vec3d>(1);
+        for (int x = 0; x < ramp.cols; x++)
+            ramp.col(x).setTo(Scalar(from + (to - from) * (x / 319.)));
+        rng.fill(noise, RNG::NORMAL, 0, i % 2);
+        cv::add(ramp, noise, image, noArray(), CV_8U);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 13 + 4 * (i % 3));
+        gws->iterate();
+        strips += medianAspect(labelsOf(gws)) > 1.6;
+    }
+    EXPECT_LE(strips, 0.3 * num_ramps); // over 320 pixels ramps are steep
 }
 
 TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_noisy_ramp_after_merging)

@@ -25,15 +25,6 @@ static float shareOfSteady(const Mat& normals, const Mat& before)
     return float(steady) / float(std::max(known, 1));
 }
 
-//! Depth that comes more slowly than colour is given again as it was.
-static bool areSame(const Mat& normals, const Mat& before)
-{
-    bool same = normals.size() == before.size();
-    for (int y = 0; same && y < normals.rows; y++)
-        same = memcmp(normals.ptr(y), before.ptr(y), normals.cols * sizeof(Normal)) == 0;
-    return same;
-}
-
 void NormalTrust::start(const Mat& normals)
 {
     normals.copyTo(last_);
@@ -44,9 +35,10 @@ void NormalTrust::start(const Mat& normals)
 //! At a cut of the scene all normals are new, but only once. So the better one of two frames with new depth counts.
 float NormalTrust::next(const Mat& normals)
 {
-    if (normals.empty() || areSame(normals, last_))
-        return trust_;
-    const float steady = normals.size() == last_.size() ? shareOfSteady(normals, last_) : 1;
+    const bool can_compare = normals.size() == last_.size();
+    if (normals.empty() || (can_compare && norm(normals, last_, NORM_INF) == 0))
+        return trust_; // depth that comes more slowly than colour is given again as it was
+    const float steady = can_compare ? shareOfSteady(normals, last_) : 1;
     const float share = std::max(steady, steady_);
     normals.copyTo(last_);
     steady_ = steady;

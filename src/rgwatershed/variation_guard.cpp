@@ -79,9 +79,8 @@ void VariationGuard::joinOwned()
 {
     if (owners_.empty())
         return;
-    const size_t num_owners = 1 + *std::max_element(owners_.begin(), owners_.end());
-    std::vector<Vec3d> sums(num_owners, Vec3d::all(0));
-    std::vector<int> areas(num_owners, 0);
+    std::vector<Vec3d> sums(owners_.size(), Vec3d::all(0)); // by owner, of whom there are no more than regions
+    std::vector<int> areas(owners_.size(), 0);
     for (size_t i = 0; i < owners_.size(); i++)
     {
         sums[owners_[i]] += sums_[i];

@@ -62,10 +62,8 @@ void RegionDescriber::describeSlope(const RegionTexture& texture, float share, M
     const bool is_shade = (is_ramp || is_noisy_ramp) && chroma > SLOPE_OF_LEVEL / 10;
     const float part = is_shade && !is_ramp ? std::sqrt(1 - uneven / squared_chroma) : 1;
     for (int i = 0; i < 2; i++)
-    {
-        const int of_colors = riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope);
-        record.slope[i] = short(is_shade ? cvRound(part * float(of_colors)) : rises[0][i]);
-    }
+        record.slope[i] = short(!is_shade ? rises[0][i] : cvRound(
+                part * float(riseOfColors(rises[0][i], rises[1][i], rises[2][i], rules_.chroma_slope))));
     const int noise = std::max(others - cvRound(rules_.grain * LEVEL), 0) * rules_.roughness / 64;
     const float rough = std::sqrt(float(noise) * float(noise) + uneven_light);
     record.rough = is_shade ? int(IS_SHADE) : cvRound(std::min(rough, float(STEEPEST_SLOPE)));
