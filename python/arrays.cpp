@@ -147,7 +147,7 @@ cv::Mat takeOutput(const py::object& array, const char* name)
     if (array.is_none())
         return cv::Mat();
     if (!py::isinstance<py::array>(array))
-        throw py::type_error(std::string(name) + " must be an array, or None");
+        throw py::type_error(std::string(name) + " must be an array, or None; give what follows it by name");
     const py::array values = array;
     const int depth = depthOf(values.dtype()), channels = channelsOf(values, name);
     if (values.size() == 0)

@@ -59,9 +59,11 @@ template <> struct type_caster<gwatershed::Array>
 {
     PYBIND11_TYPE_CASTER(gwatershed::Array, const_name("numpy.ndarray"));
 
-    //! Numbers and lists are no arrays: another overload may take them.
+    //! Numbers and lists are no arrays: another overload may take them. None no overload takes.
     bool load(handle source, bool)
     {
+        if (source && source.is_none())
+            throw type_error("image must be an array, not None, which imread() returns for what it cannot read");
         if (!source || !(isinstance<array>(source) || hasattr(source, "__array__")))
             return false;
         value.values = array::ensure(source);

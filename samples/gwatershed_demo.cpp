@@ -242,7 +242,8 @@ static void showWindow(Source& source, float focal, Settings settings)
 int main(int argc, char** argv)
 {
     CommandLineParser parser(argc, argv, KEYS);
-    parser.about("Superpixels by a marker-controlled watershed, cv::ximgproc::SuperpixelGWatershed.");
+    parser.about("Superpixels by a marker-controlled watershed, cv::ximgproc::SuperpixelGWatershed.\n"
+                 "Values follow an equals sign: -i=image.jpg -o=result");
     if (parser.has("help"))
     {
         parser.printMessage();

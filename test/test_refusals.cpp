@@ -24,6 +24,11 @@ TEST(ximgproc_SuperpixelGWatershed, refuses_wrong_images_and_stays_usable)
     EXPECT_TRUE(isRefused([&] { gws->iterate(Mat(3, cube, CV_8UC1, Scalar(0))); }, "image must have two dimensions"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(std::vector<Mat>(3, image)); }, "image must be one Mat"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(std::array<Mat, 1>()); }, "image must be one Mat"));
+    EXPECT_TRUE(isRefused([&] { gws->iterate(Scalar(1)); }, "image must be one Mat"));
+    EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(640, int(RGWATERSHED), 500); }, "image must be one Mat"));
+    EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(image, RGWATERSHED, 20, 10.f, 0.3f); }, // no depth
+                          "depth must be one Mat"));
+    EXPECT_TRUE(isRefused([&] { createSuperpixelGWatershed(image, 20); }, "RGWATERSHED (201)"));
     EXPECT_TRUE(isRefused([&] { gws->iterate(std::vector<std::vector<uchar> >(40, std::vector<uchar>(60))); },
                           "image must be one Mat"));
     EXPECT_TRUE(isRefused([&] { gws->setMask(std::vector<std::vector<uchar> >(3, std::vector<uchar>(4))); },

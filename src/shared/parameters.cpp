@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 void Parameters::setAlgorithm(int value)
 {
     CV_Check(value, value == GWATERSHED || value == RGWATERSHED,
-             "algorithm must be GWATERSHED or RGWATERSHED");
+             "algorithm must be GWATERSHED (200) or RGWATERSHED (201)");
     algorithm = value;
 }
 
