@@ -127,8 +127,10 @@ MarkerGrid::MarkerGrid(Size size_, Size extent_, int unit_, int num_cells_, int 
         int shorter = int(std::sqrt(double(count)));
         while (count % shorter != 0)
             shorter--;
-        const Size wide(count / shorter, shorter), high(shorter, count / shorter);
-        parts = fits(wide, smallest_cell) ? wide : fits(high, smallest_cell) ? high : parts;
+        Size usual(count / shorter, shorter), other(shorter, count / shorter);
+        if (extent.height > extent.width)
+            std::swap(usual, other); // a transposed image has the transposed grid
+        parts = fits(usual, smallest_cell) ? usual : fits(other, smallest_cell) ? other : parts;
         if (parts.area() == count)
             return;
     }
