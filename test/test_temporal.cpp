@@ -183,6 +183,27 @@ TEST_P(ximgproc_GWatershed_temporal, starts_again_where_there_is_nothing_to_foll
     EXPECT_TRUE(equalMats(segmentAnew(second, GetParam(), 50), labelsOf(gws)));
 }
 
+//! A frame of noise, as of a receiver that has lost its signal, leaves nothing behind.
+TEST(ximgproc_SuperpixelGWatershed, starts_again_after_noise)
+{
+    RNG& rng = theRNG();
+    const Size size(320, 240);
+    for (int num_noisy = 1; num_noisy < 4; num_noisy++)
+    {
+        Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 200);
+        const Mat scene = makeScene(size, rng), expected = segmentAnew(scene, RGWATERSHED, 200);
+        gws->iterate(scene);
+        for (int i = 0; i < num_noisy; i++)
+        {
+            Mat noise(size, CV_8UC3);
+            rng.fill(noise, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
+            gws->iterate(noise);
+        }
+        gws->iterate(scene);
+        EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
+    }
+}
+
 //! Blocks that do not fill the image are in the middle or, where there are normals, at the end.
 TEST(ximgproc_SuperpixelGWatershed, starts_again_where_depth_moves_short_blocks)
 {

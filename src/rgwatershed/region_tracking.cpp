@@ -39,10 +39,39 @@ static void measureErrors(const FeatureMap& features, const RegionDistance& dist
         }
 }
 
+//! @note Noise has hardly any share of its variation between regions. A light that changes, changes no shares.
+RegionTracker::Variation RegionTracker::measureVariation(const FeatureMap& features, const Padded<int>& labels,
+                                                         const Regions& regions)
+{
+    int64 squares = 0, left = 0, sums[3] = { 0, 0, 0 }, area = 0;
+    const Size size = labels.size();
+    for (int y = 0; y < size.height; y++)
+        for (int x = 0; x < size.width; x++)
+        {
+            const int label = labels.row(y)[x];
+            if (label < 0)
+                continue;
+            for (int k = 0; k < 3; k++)
+            {
+                const int color = features.row(y)[x].color[k];
+                const int steps = color * STEPS_PER_LEVEL - regions.means[label].color[k];
+                squares += color * color;
+                left += steps * steps;
+                sums[k] += color;
+            }
+            area++;
+        }
+    Variation variation = { double(squares), double(left) / (STEPS_PER_LEVEL * STEPS_PER_LEVEL) };
+    for (int64 sum : sums)
+        variation.all -= double(sum) * double(sum) / double(std::max<int64>(area, 1));
+    return variation;
+}
+
 void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Padded<int>& labels,
                           const Regions& regions)
 {
     measureErrors(features, plan.sweep.distance, labels, regions, last_.errors);
+    last_.variation = measureVariation(features, labels, regions);
 }
 
 void RegionTracker::keep(const Plan& plan, const Mat& labels)
@@ -76,10 +105,15 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);
-    if (change.changed_area > change.area / 2)
+    const Variation before = last_.variation, now = measureVariation(features, labels, regions);
+    const bool was_noise = plan.sweep.distance.shareOfColor(FULL_WEIGHT) > 0 &&
+                           before.left * now.all > ERROR_GROWTH * now.left * before.all +
+                                                   ERROR_FLOOR * change.area * now.all;
+    if (change.changed_area > change.area / 2 || was_noise)
         return false;
     if (change.changed_area > 0)
         replaceChanged(plan, pyramid, mask, merge_buffers, change, labels, regions);
+    last_.variation = change.changed_area > 0 ? measureVariation(features, labels, regions) : now;
     return true;
 }
 

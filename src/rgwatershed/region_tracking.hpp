@@ -26,7 +26,8 @@ public:
 
     //! The regions of the last frame, moved to where their things are now. Regions that explain the image much worse
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with
-    //! labels and regions that are of no use, if most of the scene is new or other blocks were flooded.
+    //! labels and regions that are of no use, if most of the scene is new, if the last frame was mere noise beside this
+    //! one, or if other blocks were flooded.
     bool track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions);
 
@@ -38,6 +39,13 @@ private:
         double changed_area, area;
     };
 
+    //! Squared levels of colour, and how much of them the means of regions leave.
+    struct Variation
+    {
+        double all, left;
+    };
+
+    static Variation measureVariation(const FeatureMap& features, const Padded<int>& labels, const Regions& regions);
     bool hasSameBlocks(const BlockLevels& levels, Size image) const;
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
     void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
@@ -55,6 +63,7 @@ private:
         bool centered = false;     // where the short blocks are
         Mat labels;                // of the blocks
         std::vector<int64> errors; // of each region when it was made
+        Variation variation;       // of the blocks
     };
     Last last_;
 

@@ -41,8 +41,8 @@ enum GWatershedType
 ![Contours, mean colours, and an image with depth](pics/gwatershed_demo.jpg)
 
 **RGWATERSHED**, the default, is the method to use. Its steps:
-1. Features: lightness and two colour differences of each pixel, and its depth. Where superpixels are large
-   enough, their means over blocks of 2x2, 3x3 or 4x4 pixels.
+1. Features: lightness, two colour differences and depth of each pixel. Where superpixels are large enough, means of
+   blocks of 2x2, 3x3 or 4x4 pixels. Up to step 4, blocks astride of an edge have the colour of one side.
 2. Markers: four for each superpixel, fewer for small ones, one if it has less than 6x6 pixels, each in a cell of a
    grid, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
@@ -384,10 +384,10 @@ public:
 
     RGWATERSHED moves the boundaries to where things are now. Superpixels that explain the image much worse than when
     they were made are replaced: their pixels form as many new ones, which take over their labels, so N stays the same.
-    If superpixels that explain it much worse cover more than half of the image, all start again. GWATERSHED moves each
-    marker to the middle of its last region; the markers of regions that have become small, below a quarter of the mean
-    area, move into the largest ones. Boundaries also move a little on a still image. Normals of RGWATERSHED that are
-    new in each frame, as those of stereo, count less.
+    If superpixels that explain it much worse cover more than half of the image, or if the last frame was noise beside
+    this one, all start again. GWATERSHED moves each marker to the middle of its last region; the markers of regions
+    that have become small, below a quarter of the mean area, move into the largest ones. Boundaries also move a little
+    on a still image. Normals of RGWATERSHED that are new in each frame, as those of stereo, count less.
 
     A frame starts from the beginning if it is the first one, or the first after clear(), setMask() of another mask or
     a frame that was not temporal; if its size, algorithm or number of superpixels is not that of the last frame; if one
