@@ -39,8 +39,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
         floodFromUserMarkers(frame, plan);
     else if (!track(frame, mask, merge_buffers, plan))
     {
-        floodBlocks(plan, mask);
-        sweepAndMerge(plan, merge_buffers);
+        findRegions(plan, mask, merge_buffers);
         if (parameters.temporal)
         {
             tracker_.start(plan, features_[top], labels_[top], regions_);
@@ -71,6 +70,21 @@ bool RGWatershed::track(const Frame& frame, const Mat& mask, MergeBuffers& merge
     return true;
 }
 
+//! Steps 2 to 4. Pixels are what they are, and where nothing is merged, what lies on an edge unites with nothing. Depth
+//! of blocks is that of a side already, where depth has an edge.
+void RGWatershed::findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers)
+{
+    const int top = plan.levels.top;
+    clearLabels(features_[top].size(), mask, labels_[top]);
+    const bool take_sides = top > 0 && plan.num_markers > plan.num_regions && !plan.flood_distance.with_depth;
+    if (take_sides)
+        edge_blocks_.takeSides(labels_[top], features_[top]);
+    floodBlocks(plan, mask);
+    sweepAndMerge(plan, merge_buffers);
+    if (take_sides)
+        edge_blocks_.takeBack(labels_[top], features_[top], regions_);
+}
+
 //! Steps 2 and 3: more regions than asked for.
 void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 {
@@ -79,7 +93,6 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
     Padded<int>& labels = labels_[plan.levels.top];
     computeBlockGradient(features, plan.flood_distance, mask, gradient_);
     placeBlockMarkers(plan, features, features_[0].size(), mask, gradient_, markers_);
-    clearLabels(features.size(), mask, labels);
     regions_.resize(0);
     const int num_markers = int(markers_.places.size());
     floodFromPoints(features, markers_.places, markers_.middles, markers_.bands, plan.flood_distance,

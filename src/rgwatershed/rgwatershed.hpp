@@ -7,6 +7,7 @@
 
 #include "rgwatershed/block_markers.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/edge_blocks.hpp"
 #include "rgwatershed/normal_trust.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_tracking.hpp"
@@ -32,6 +33,7 @@ public:
     FeatureMap features() const { return features_[0]; }
 
 private:
+    void findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers);
     void floodBlocks(const Plan& plan, const Mat& mask);
     void sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
     void merge(const Plan& plan, int level, int num_regions, const MergeRules& rules, MergeBuffers& merge_buffers);
@@ -47,6 +49,7 @@ private:
     Padded<int> labels_[MAX_LEVEL + 1];
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];
+    EdgeBlocks edge_blocks_;
     RegionTracker tracker_;
     NormalTrust normal_trust_;
 

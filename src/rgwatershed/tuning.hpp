@@ -19,6 +19,9 @@ static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at 
 static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
                                                // effort, buffers of merging would be most of the memory: not kept
 enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
+enum { EDGE_STEP = 64 };                       // levels, as the flood counts them: more from one neighbour of a block
+static const float EDGE_ASIDE = 0.05f;         // to the other is an edge, if the block lies no farther than this part
+                                               // of it from the straight line between their colours
 enum { GRADIENT_STEP_LOG2 = 5 };               // gradients of blocks are told apart in steps of 32 grey levels, so that
                                                // markers leave the centres of their cells for real edges only
 enum { MEAN_GROWTH = 4 };                      // a mean is taken again when its region has grown by 1 / MEAN_GROWTH
