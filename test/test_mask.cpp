@@ -290,6 +290,27 @@ TEST_P(ximgproc_GWatershed_mask, merges_small_superpixels_within_their_component
     }
 }
 
+//! Parts of the image between holes, where no block of pixels is whole, take no superpixels from the rest.
+TEST_P(ximgproc_GWatershed_mask, has_superpixels_of_usual_areas_with_holes_of_single_pixels)
+{
+    RNG& rng = theRNG();
+    const Size size(320, 240);
+    const int count = 100;
+    for (const double& share : { 0.01, 0.02, 0.03, 0.05 })
+    {
+        Mat chance(size, CV_32FC1);
+        rng.fill(chance, RNG::UNIFORM, 0, 1);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(makeScene(size, rng), GetParam());
+        gws->setDesiredSuperpixels(count);
+        gws->setMask(Mat(chance > share));
+        gws->iterate();
+        Mat stats;
+        gws->getStatistics(noArray(), noArray(), stats, noArray(), noArray(), noArray());
+        const int small = countNonZero(stats.col(CC_STAT_AREA) < int(size.area()) / count / 8);
+        EXPECT_LE(small, count / 5) << share;
+    }
+}
+
 TEST_P(ximgproc_GWatershed_mask, is_the_same_for_any_number_of_threads)
 {
     RNG& rng = theRNG();

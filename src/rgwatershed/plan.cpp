@@ -19,14 +19,15 @@ static BlockLevels chooseLevels(Size size, double fewest_blocks, bool centered)
     return pixels;
 }
 
-//! The same for a mask: the blocks must hold most of it, and lie in so few components that merging can reach the
-//! number of superpixels.
+//! The same for a mask: the blocks must hold most of it, and what they cut off must not take many of the superpixels.
 static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, double fewest_blocks)
 {
+    const int num_components = masks.components(0); // these are superpixels in any case
+    const int most = num_components + std::max(num_superpixels - num_components, 0) / SUPERPIXELS_FOR_CUT_OFF;
     int level = MAX_LEVEL;
     while (level > 0 && (masks.blocks(level) < fewest_blocks ||
                          (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
-                         masks.components(level) + masks.lost(level) > std::max(num_superpixels, masks.components(0))))
+                         masks.components(level) + masks.lost(level) > most))
         level--;
     const BlockLevels levels = { level, 2, false };
     return levels;
