@@ -68,6 +68,15 @@ struct Crossings
 
 } // namespace
 
+//! Whether neighbours of one of four blocks may differ enough: by this much in one channel, at least.
+static inline bool mayBeCrossed(const Feature* blocks, int step)
+{
+    const int LEAST = EDGE_STEP * 5 / 8, HIGHEST_BIT = 128; // three weights, of which one is half, make a root of 1.6
+    const v_uint8x16 beside = v_absdiff(v_load(blocks[-1].color), v_load(blocks[1].color));
+    const v_uint8x16 upright = v_absdiff(v_load(blocks[-step].color), v_load(blocks[step].color));
+    return v_check_any(add(v_max(beside, upright), v_setall_u8(uchar(HIGHEST_BIT - LEAST))));
+}
+
 static void exchangeColors(EdgeBlock& block, Padded<Feature>& blocks)
 {
     Feature& feature = blocks.row(block.at.y)[block.at.x];
@@ -78,16 +87,23 @@ static void exchangeColors(EdgeBlock& block, Padded<Feature>& blocks)
 //! The blocks of a row through which an edge goes, by rows or by columns: where it is stronger.
 static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, int y, std::vector<EdgeBlock>& found)
 {
-    const int GROUP = 4, width = blocks.size().width;
+    const int GROUP = 4, width = blocks.size().width, step = blocks.step();
+    const Feature* const row = blocks.row(y);
+    const int* const labels_of_row = labels.row(y);
     for (int x = 0; x < width; x += GROUP)
     {
         const int start = std::min(x, width - GROUP);
-        const Feature* const group = blocks.row(y) + start;
-        const int* const of_group = labels.row(y) + start;
-        const Crossings beside(group, of_group, 1), upright(group, of_group, blocks.step());
+        const Feature* const group = row + start;
+        const int* const of_group = labels_of_row + start;
+        if (!mayBeCrossed(group, step))
+            continue;
+        const Crossings beside(group, of_group, 1), upright(group, of_group, step);
+        const v_int32x4 strength = v_max(beside.strength, upright.strength);
+        if (!v_check_any(isPositive(strength)))
+            continue;
         int strengths[GROUP];
         Feature sides[GROUP];
-        v_store(strengths, v_max(beside.strength, upright.strength));
+        v_store(strengths, strength);
         v_store(sides[0].color, v_reinterpret_as_u8(v_select(isPositive(subtract(upright.strength, beside.strength)),
                                                              upright.side, beside.side)));
         for (int i = x - start; i < GROUP; i++)

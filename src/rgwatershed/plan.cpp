@@ -85,6 +85,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
                                 : num_superpixels;
+    takes_sides = top > 0 && num_markers > num_regions && takesSides(blocks / num_superpixels, flood_distance);
     sweeps_of_pixels = sweepsOfPixels(levels.side(top), double(frame.num_pixels) / num_regions, effort);
     const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
     const double most = sweeps_of_pixels == 1 ? MOST_AREA : MOST_AREA_IN_TWO;

@@ -33,6 +33,7 @@ struct Plan
     int num_regions;        //!< that merging leaves there: more if those of pixels are merged, too
     bool merges_pixels;
     int markers_per_superpixel, num_markers;
+    bool takes_sides;       //!< blocks astride of an edge, while regions are found
     double most_area;       //!< of a superpixel that gains pixels
     bool depth_adaptive;    //!< superpixels of about equal area on the surface
     int band_height;        //!< rows of blocks, at least, that are flooded by themselves

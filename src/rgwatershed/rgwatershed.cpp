@@ -70,18 +70,16 @@ bool RGWatershed::track(const Frame& frame, const Mat& mask, MergeBuffers& merge
     return true;
 }
 
-//! Steps 2 to 4. Pixels are what they are, and where nothing is merged, what lies on an edge unites with nothing. Depth
-//! of blocks is that of a side already, where depth has an edge.
+//! Steps 2 to 4.
 void RGWatershed::findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers)
 {
     const int top = plan.levels.top;
     clearLabels(features_[top].size(), mask, labels_[top]);
-    const bool take_sides = top > 0 && plan.num_markers > plan.num_regions && !plan.flood_distance.with_depth;
-    if (take_sides)
+    if (plan.takes_sides)
         edge_blocks_.takeSides(labels_[top], features_[top]);
     floodBlocks(plan, mask);
     sweepAndMerge(plan, merge_buffers);
-    if (take_sides)
+    if (plan.takes_sides)
         edge_blocks_.takeBack(labels_[top], features_[top], regions_);
 }
 
