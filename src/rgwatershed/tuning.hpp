@@ -99,7 +99,7 @@ inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 
 //! Below it, superpixels have few blocks.
 static const int FEW_BLOCKS = 12;
 
-//! Whether blocks astride of an edge take a side. Where superpixels have few blocks, each is needed as it is; the depth of
+//! Whether blocks astride of an edge take a side. Where superpixels have few blocks, each is needed as it is; depth of
 //! blocks is that of a side already.
 inline bool takesSides(double blocks_per_superpixel, const RegionDistance& distance)
 {
