@@ -16,6 +16,7 @@
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
+#include "rgwatershed/edge_blocks.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_labels.hpp"
@@ -58,7 +59,11 @@ static Steps runSteps(const Mat& image, int num_superpixels)
 
     gws::FeatureMap pyramid[gws::MAX_LEVEL + 1];
     gws::makePyramid(frame, false, plan.levels, pyramid);
-    const gws::FeatureMap& blocks = pyramid[plan.levels.top];
+    gws::FeatureMap& blocks = pyramid[plan.levels.top];
+    gws::Padded<int> labels;
+    gws::clearLabels(blocks.size(), Mat(), labels);
+    if (plan.takes_sides)
+        gws::EdgeBlocks().takeSides(labels, blocks);
 
     Mat gradient;
     gws::BlockMarkers markers;
@@ -66,10 +71,8 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     gws::placeBlockMarkers(plan, blocks, image.size(), Mat(), gradient, markers);
     steps.markers = markers.places;
 
-    gws::Padded<int> labels;
     gws::Regions regions;
     gws::FloodBuffers flood_buffers;
-    gws::clearLabels(blocks.size(), Mat(), labels);
     const int num_markers = int(markers.places.size());
     gws::floodFromPoints(blocks, markers.places, markers.middles, markers.bands, plan.flood_distance,
                          plan.floodRuler(plan.blocks, num_markers), plan.usualFloodArea(plan.blocks, num_markers),
