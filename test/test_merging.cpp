@@ -175,6 +175,37 @@ struct Plan
     }
 };
 
+typedef std::map<std::pair<int, int>, std::pair<double, double> > Boundaries; // length, sum of differences
+
+//! Colours and logarithms of textures after they have spread eight times, each time to the neighbours, by likeness.
+std::vector<Vec4d> spread(std::vector<Vec4d> values, const Boundaries& boundaries)
+{
+    std::map<std::pair<int, int>, double> weights;
+    for (const auto& e : boundaries)
+    {
+        Vec4d d = values[e.first.first] - values[e.first.second];
+        d[3] = 0;
+        const double length = e.second.first;
+        weights[e.first] = length * length / ((e.second.second + length) * std::sqrt(d.dot(d) + 1.5));
+    }
+    for (int round = 0; round < 8; round++)
+    {
+        std::vector<Vec4d> sums(values.size(), Vec4d::all(0));
+        std::vector<double> shares(values.size(), 0.);
+        for (const auto& w : weights)
+        {
+            sums[w.first.first] += w.second * values[w.first.second];
+            sums[w.first.second] += w.second * values[w.first.first];
+            shares[w.first.first] += w.second;
+            shares[w.first.second] += w.second;
+        }
+        for (size_t i = 0; i < values.size(); i++)
+            if (shares[i] > 0)
+                values[i] = sums[i] * (1 / shares[i]);
+    }
+    return values;
+}
+
 //! From the lowest to the highest: they differ where rounding decides whether a slope counts.
 struct CostSpan
 {
@@ -185,13 +216,13 @@ struct CostSpan
 //! from pixel to pixel are those inside of the first superpixels. Regions of a part have less noise between them, and
 //! no slope.
 std::map<std::pair<int, int>, CostSpan> mergeCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
-                                                 const std::vector<int>& parts)
+                                                 const std::vector<int>& parts, std::vector<Vec4d>& first_contexts)
 {
     std::vector<double> areas(n, 0.);
     std::vector<Vec3d> means(n, Vec3d::all(0));
     std::vector<Vec2d> steps(n, Vec2d(0, 0)); // across and down, in every second row
     std::vector<Matx32d> rises(n, Matx32d::zeros());
-    std::map<std::pair<int, int>, std::pair<double, double> > boundaries; // length, sum of differences
+    Boundaries boundaries;
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
         {
@@ -222,16 +253,30 @@ std::map<std::pair<int, int>, CostSpan> mergeCosts(const Mat& image, const Mat& 
         }
     for (int i = 0; i < n; i++)
         means[i] /= areas[i];
+    std::vector<Vec4d> contexts(n, Vec4d::all(0));
+    if (first_contexts.empty()) // these are the first superpixels
+    {
+        for (int i = 0; i < n; i++)
+            first_contexts.push_back(Vec4d(means[i][0], means[i][1], means[i][2], textureOf(steps[i], areas[i])));
+        first_contexts = spread(first_contexts, boundaries);
+    }
+    for (int i = 0; i < int(labels.total()); i++)
+    {
+        const int label = labels.at<int>(i / labels.cols, i % labels.cols);
+        contexts[label] += first_contexts[first.at<int>(i / labels.cols, i % labels.cols)] * (1 / areas[label]);
+    }
     int few = 1; // n, with zeros for all but the three highest bits, is few * (n / few)
     while (n / few >= 8)
         few *= 2;
     const double usual_area = std::max(1., 2.9 * double(image.total()) / (n / few * few));
     std::map<std::pair<int, int>, CostSpan> costs;
-    std::map<std::pair<int, int>, std::pair<double, double> >::iterator e = boundaries.begin();
+    Boundaries::iterator e = boundaries.begin();
     for (; e != boundaries.end(); ++e)
     {
         const double na = areas[e->first.first], nb = areas[e->first.second], l = e->second.first;
         const Vec3d d = means[e->first.first] - means[e->first.second];
+        const Vec4d c = contexts[e->first.first] - contexts[e->first.second];
+        const double spread_squared = c.dot(c) - c[3] * c[3];
         const Vec2d ta = steps[e->first.first], tb = steps[e->first.second];
         const double light = 16. / 7 * (na * means[e->first.first][0] + nb * means[e->first.second][0]); // as it is
         const bool of_a_part = parts[e->first.first] == parts[e->first.second];
@@ -241,17 +286,19 @@ std::map<std::pair<int, int>, CostSpan> mergeCosts(const Mat& image, const Mat& 
             const double explained = explainedBySlopes(slopeOf(rises[e->first.first], ta, na, limit),
                                                        slopeOf(rises[e->first.second], tb, nb, limit),
                                                        std::min(na, nb), d.dot(d), limit);
-            const double cost = 0.58 * straightLog(d.dot(d) + (of_a_part ? 0.1875 : 4 * explained + 1.5));
+            const double rest = of_a_part ? 0.1875 : 4 * explained + 1.5;
+            const double cost = 0.4375 * straightLog(d.dot(d) + rest) + 0.21875 * straightLog(spread_squared + rest);
             slopes.first = std::min(slopes.first, cost);
             slopes.last = std::max(slopes.last, cost);
         }
         const double rest = straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                             0.95 * (straightLog(e->second.second + l) - straightLog(l)) -
-                            0.66 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                            0.59 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                             0.39 * straightLog(16 * std::abs(d[0]) + 7) -
                             0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
                             0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
                             1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
+                            0.34 * straightLog(std::abs(c[3]) + 0.1) +
                             0.5 * std::abs(directionOf(ta, na) - directionOf(tb, nb)) +
                             32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
         costs[e->first] = { slopes.first + rest, slopes.last + rest };
@@ -275,13 +322,14 @@ std::vector<RegionKey> regionKeys(const Mat& labels, int n)
 }
 
 KeyedCosts keyedCosts(const Mat& image, const Mat& first, const Mat& labels, int n,
-                      const std::map<RegionKey, int>& parts)
+                      const std::map<RegionKey, int>& parts, std::vector<Vec4d>& first_contexts)
 {
     const std::vector<RegionKey> keys = regionKeys(labels, n);
     std::vector<int> part_of_label;
     for (const RegionKey& key : keys)
         part_of_label.push_back(parts.find(key)->second);
-    const std::map<std::pair<int, int>, CostSpan> costs = mergeCosts(image, first, labels, n, part_of_label);
+    const std::map<std::pair<int, int>, CostSpan> costs = mergeCosts(image, first, labels, n, part_of_label,
+                                                                        first_contexts);
     KeyedCosts keyed;
     for (std::map<std::pair<int, int>, CostSpan>::const_iterator e = costs.begin(); e != costs.end(); ++e)
     {
@@ -347,6 +395,7 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, GetParam(), 9);
         gws->iterate();
         std::vector<KeyedCosts> history;
+        std::vector<Vec4d> contexts; // of the first superpixels
         const Mat first = labelsOf(gws);
         Mat before = first;
         const int num_first = gws->getNumberOfSuperpixels();
@@ -360,7 +409,7 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
         }
         for (int n = num_first; n > 1; n--)
         {
-            history.push_back(keyedCosts(image, first, before, n, parts));
+            history.push_back(keyedCosts(image, first, before, n, parts, contexts));
             gws->mergeSimilar(n - 1);
             const Mat after = labelsOf(gws);
             const std::pair<RegionKey, RegionKey> pair = findUnion(before, after, n);

@@ -24,6 +24,8 @@ struct MergeRules
     int brightness = 0;    //!< makes it cheap, because bright colours differ more
     int chroma = 0;        //!< a difference of it makes it expensive
     int texture = 0;       //!< of the smoother region makes it cheap: differences mean less there
+    int spread = 0;        //!< of colours that have spread to like neighbours; 0: nothing spreads
+    int spread_texture = 0; //!< of textures that have spread
     int direction = 0;     //!< of textures that run in different ones
     int mixed = 0;         //!< makes it cheap for a small region that is much rougher than the other one
     int slope = 0;         //!< weight: what a squared slope that both have adds to the squared distance, or takes away
@@ -64,6 +66,17 @@ inline MergeRules mergeByTextures()
     rules.usual = 2.9f;
     rules.noise = 96;
     rules.noise_in_cell = 12;
+    return rules;
+}
+
+//! The same for superpixels that are merged later: what lies around them counts, too.
+inline MergeRules mergeByContext()
+{
+    MergeRules rules = mergeByTextures();
+    rules.spread = 14;
+    rules.spread_texture = 22;
+    rules.distance = 28;
+    rules.length = 38;
     return rules;
 }
 

@@ -85,6 +85,11 @@ void SimilarMerger::start()
     area_ = 0;
     for (int i = 0; i < n; i++)
         area_ += b_.records[i].area;
+    b_.contexts.clear();
+    if (rules_.spread == 0)
+        return;
+    b_.graph.forLists([&](int k, std::vector<int>& table) { b_.graph.join(k, table); });
+    b_.contexts.spread(b_.records, b_.graph);
 }
 
 //! Returns false if no region has a neighbour.
@@ -140,7 +145,7 @@ void SimilarMerger::evaluate()
 void SimilarMerger::findCosts(int k, std::vector<int>& table)
 {
     const size_t first = b_.graph.join(k, table);
-    UnionCost(distance_, rules_, b_.records.data(), regions_.surfaces.means.data(), log_usual_area_)
+    UnionCost(distance_, rules_, b_.records.data(), b_.contexts.data(), regions_.surfaces.means.data(), log_usual_area_)
         .find(b_.graph.edges(k), expects_anew_ ? 0 : first);
 }
 
@@ -242,6 +247,8 @@ void SimilarMerger::unite(const MergePair* first, const MergePair* end, std::vec
         b_.textures[pair->to].add(b_.textures[pair->from]);
     for (const MergePair* pair = first; pair != end; pair++)
         regions_.unite(pair->from, pair->to);
+    for (const MergePair* pair = first; pair != end && !b_.contexts.empty(); pair++)
+        b_.contexts.unite(pair->from, pair->to);
     regions_.update(grown);
     describer_.describe(grown, b_.records);
 }

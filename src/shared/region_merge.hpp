@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_REGION_MERGE_HPP
 #define OPENCV_GWATERSHED_REGION_MERGE_HPP
 
+#include "shared/merge_context.hpp"
 #include "shared/merge_graph.hpp"
 #include "shared/pair_choice.hpp"
 
@@ -17,6 +18,7 @@ struct MergeBuffers
     std::vector<RegionTexture> textures; // of each region; empty: not measured
     std::vector<MergeBand> bands;
     std::vector<MergeRegion> records;
+    MergeContexts contexts;         // empty: they do not count
     std::vector<uint64> best;       // of each region: the price of its cheapest union
     std::vector<int> parents;       // the region that took each one in, or itself
     std::vector<uchar> changed;     // took in others in this round

@@ -180,9 +180,24 @@ v_int32x4 UnionCost::mixtureOf(const v_int16x8& textures, const v_int16x8& other
                  v_setzero_s32());
 }
 
+//! What colours and textures that have spread add. Slopes explain as much of their distance.
+v_int32x4 UnionCost::addContexts(const MergeEdge* e, const v_int32x4& slopes, const v_int32x4& noise,
+                                 const v_int32x4& sum) const
+{
+    const auto of = [&](int a, int b) { return v_load_halves(contexts_[a].color, contexts_[b].color); };
+    v_int32x4 first, last; // the last pairs have the textures in their upper halves
+    splitPairs(v_sub_wrap(of(e[0].a, e[1].a), of(e[0].b, e[1].b)), v_sub_wrap(of(e[2].a, e[3].a), of(e[2].b, e[3].b)),
+               first, last);
+    const v_int16x8 of_first = v_reinterpret_as_s16(first), of_last = lowerHalves(last);
+    const v_int32x4 squared = v_dotprod(of_first, of_first, v_dotprod(of_last, of_last));
+    const v_int32x4 distance = logarithm(add(v_max(add(squared, slopes), v_setzero_s32()), noise));
+    const v_int32x4 of_textures = v_reinterpret_as_s32(v_abs(v_shr<16>(last)));
+    return weigh(distance, logarithm(add(of_textures, v_setall_s32(LOG_ONE / 10))), spread_, sum);
+}
+
 //! What colours add to the cost, and depths and surfaces with them.
-v_int32x4 UnionCost::addColors(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
-                               const v_int32x4& sum) const
+v_int32x4 UnionCost::addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b,
+                               const FourAreas& areas, v_int32x4 sum) const
 {
     const v_int32x4 zero = v_setzero_s32();
     const v_int16x8 differences = v_sub_wrap(v_reinterpret_as_s16(a.first_means), v_reinterpret_as_s16(b.first_means));
@@ -194,6 +209,8 @@ v_int32x4 UnionCost::addColors(const FourRegions& a, const FourRegions& b, const
     const v_int32x4 slopes = ofSlopes(a, b, share_a_cell, squared_distance);
     const v_int32x4 noise = v_select(share_a_cell, noise_in_cell_, noise_);
     const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, slopes), zero), noise));
+    if (contexts_)
+        sum = addContexts(edges, slopes, noise, sum);
 
     const v_int32x4 steps = v_reinterpret_as_s32(v_abs(differences)); // of two channels in a word
     const v_int32x4 last_steps = v_reinterpret_as_s32(v_abs(last_differences));
@@ -241,14 +258,14 @@ void UnionCost::findFour(MergeEdge* edges) const
     const FourRegions a(first), b(second);
     const FourAreas areas(a, b);
     int costs[4];
-    v_store(costs, addTextures(a, b, areas, addShapes(edges, areas, addColors(a, b, areas, v_setzero_s32()))));
+    v_store(costs, addTextures(a, b, areas, addShapes(edges, areas, addColors(edges, a, b, areas, v_setzero_s32()))));
     for (int k = 0; k < 4; k++)
         edges[k].cost = costs[k];
 }
 
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-                     const SurfaceMean* surfaces, int log_usual_area)
-    : distance_(distance), records_(records), surfaces_(surfaces),
+                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area)
+    : distance_(distance), records_(records), contexts_(contexts), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       slope_in_cell_(v_setall_f32(float(distance.shareOfColor(rules.slope_in_cell)) / 256)),
@@ -263,7 +280,8 @@ UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, co
       length_and_contrast_(makePairs(-rules.length, rules.contrast)),
       texture_and_direction_(makePairs(-distance.shareOfDetails(rules.texture),
                                        distance.shareOfDetails(rules.direction))),
-      mixed_(makePairs(-distance.shareOfDetails(rules.mixed), 0))
+      mixed_(makePairs(-distance.shareOfDetails(rules.mixed), 0)),
+      spread_(makePairs(rules.spread, rules.spread_texture))
 {
 }
 

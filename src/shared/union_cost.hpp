@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_UNION_COST_HPP
 #define OPENCV_GWATERSHED_UNION_COST_HPP
 
+#include "shared/merge_context.hpp"
 #include "shared/merge_graph.hpp"
 #include "shared/merge_region.hpp"
 
@@ -17,6 +18,8 @@ struct FourRegions;
 //! its name. So there are no powers, roots and divisions. It is the same for both orders of the regions.
 //!     factor                                  exponent     with
 //!     d^2 + slope e + noise                   distance     d the distance of the means
+//!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
+//!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
 //!     n1 n2 / (n1 + n2)                       areas        n the areas; the first two are Ward's cost if these are 1
 //!     h + 1                                   contrast     h the mean contrast across the boundary
 //!     l / root of the smaller n               -length      l the length of the boundary
@@ -46,18 +49,21 @@ struct FourRegions;
 class UnionCost
 {
 public:
-    //! `surfaces` are read if the distance has surfaces.
+    //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count.
     UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-              const SurfaceMean* surfaces, int log_usual_area);
+              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area);
 
     //! Finds the costs of the edges from one on.
     void find(EdgeList& list, size_t first) const;
 
 private:
     void findFour(MergeEdge* edges) const;
-    v_int32x4 addColors(const FourRegions& a, const FourRegions& b, const FourAreas& areas, const v_int32x4& sum) const;
+    v_int32x4 addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b, const FourAreas& areas,
+                        v_int32x4 sum) const;
     v_int32x4 addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const;
     v_int32x4 addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
+                          const v_int32x4& sum) const;
+    v_int32x4 addContexts(const MergeEdge* edges, const v_int32x4& slopes, const v_int32x4& noise,
                           const v_int32x4& sum) const;
     v_int32x4 addDepth(const v_int32x4& of_colors, const FourRegions& a, const FourRegions& b) const;
     v_int32x4 ofSlopes(const FourRegions& a, const FourRegions& b, const v_int32x4& share_a_cell,
@@ -66,6 +72,7 @@ private:
 
     const RegionDistance distance_;
     const MergeRegion* const records_;
+    const MergeContext* const contexts_; // or null
     const SurfaceMean* const surfaces_;
     v_int32x4 noise_, noise_in_cell_;
     v_float32x4 slope_, slope_in_cell_; // of a squared slope, to a squared distance
@@ -74,7 +81,7 @@ private:
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_lightness_, brightness_and_chroma_, areas_and_excess_, length_and_contrast_,
-            texture_and_direction_, mixed_; // exponents
+            texture_and_direction_, mixed_, spread_; // exponents
 };
 
 }}} // namespace

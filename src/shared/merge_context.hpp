@@ -1,0 +1,44 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_GWATERSHED_MERGE_CONTEXT_HPP
+#define OPENCV_GWATERSHED_MERGE_CONTEXT_HPP
+
+#include "shared/merge_graph.hpp"
+#include "shared/merge_region.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! What has spread to a region from all around it: mean colour and texture, as MergeRegion has them.
+struct MergeContext
+{
+    short color[3];
+    short texture;
+};
+
+//! Colours and textures that have spread from each region to its neighbours, the more the more these are like it, and
+//! on from there. So regions of one thing become alike, and those of two things do not.
+class MergeContexts
+{
+public:
+    void clear() { means_.clear(); }
+    bool empty() const { return means_.empty(); }
+    //! Lets those of regions spread along the edges of their graph, which are joined.
+    void spread(const std::vector<MergeRegion>& regions, MergeGraph& graph);
+    //! Adds those of a region to those of another one.
+    void unite(int from, int to);
+    //! Of all regions, or null.
+    const MergeContext* data() const { return empty() ? nullptr : means_.data(); }
+
+private:
+    void takeMean(int region);
+
+    std::vector<Vec4f> sums_; // over the areas
+    std::vector<float> areas_;
+    std::vector<MergeContext> means_;
+};
+
+}}} // namespace
+
+#endif
