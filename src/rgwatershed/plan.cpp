@@ -59,7 +59,7 @@ static BlockLevels chooseLevels(const Frame& frame, const Parameters& parameters
 //! @note Components of a mask that are too small for a block become superpixels when the pixels are settled.
 Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& masks)
     : levels(chooseLevels(frame, parameters, masks)), ruler(parameters.ruler),
-      pixel_merge_rules(pixelMergeRules(ruler)),
+      pixel_merge_rules(pixelMergeRules(ruler, !frame.depth.empty())),
       flood_distance(floodDistance(parameters, !frame.depth.empty(), !frame.normals.empty())),
       sweep_before_merging(flood_distance, Mat()),
       sweep(sweepDistance(parameters, !frame.depth.empty(), !frame.normals.empty()), frame.markers)

@@ -143,11 +143,18 @@ inline MergeRules trackedMergeRules(const MergeRules& of_images, int num_kept)
     return rules;
 }
 
-//! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for.
-inline MergeRules pixelMergeRules(float ruler)
+//! The last merging where there is one of pixels: by textures, and with the compactness that the ruler asks for. What
+//! lies around counts less than for mergeSimilar(): it costs explained variation.
+inline MergeRules pixelMergeRules(float ruler, bool with_depth)
 {
     MergeRules rules = mergeByTextures();
     rules.texture = 66; // noise and few levels are textures, too
+    if (!with_depth)
+    {
+        rules.spread = 8;
+        rules.spread_texture = 12;
+        rules.distance = 32;
+    }
     rules.usual = 3.6f;
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;
