@@ -63,7 +63,7 @@ template <> struct type_caster<gwatershed::Array>
     bool load(handle source, bool)
     {
         if (source && source.is_none())
-            throw type_error("image must be an array, not None, which imread() returns for what it cannot read");
+            throw type_error("an array is needed, not None, which imread() returns for an image that it cannot read");
         if (!source || !(isinstance<array>(source) || hasattr(source, "__array__")))
             return false;
         value.values = array::ensure(source);

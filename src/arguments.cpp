@@ -33,7 +33,7 @@ static Mat takeMatrix(InputArray input, const char* name)
 {
     const int kind = input.kind();
     if (input.isMatVector() || input.isUMatVector() || kind == _InputArray::STD_ARRAY_MAT ||
-        kind == _InputArray::STD_VECTOR_VECTOR || input.isMatx()) // as which C++ passes a number
+        kind == _InputArray::STD_VECTOR_VECTOR || input.isMatx()) // Matx and Vec; C++ passes a number as one
         CV_Error_(Error::StsBadArg, ("%s must be one Mat or UMat", name));
     const Mat matrix = input.getMat();
     if (matrix.dims != 2)

@@ -206,6 +206,8 @@ class ObjectTest(unittest.TestCase):
             gws.getLabels(np.zeros((96, 128), np.dtype(np.int32).newbyteorder()))
         with self.assertRaisesRegex(ValueError, "int64"):
             gws.getLabels(np.zeros((96, 128), np.int64))
+        with self.assertRaisesRegex(TypeError, "by name"):
+            gws.getLabelContourMask(False)
 
     def test_saved_parameters(self):
         gws = gwatershed.SuperpixelGWatershed(**self.PARAMETERS)
@@ -243,7 +245,8 @@ class ObjectTest(unittest.TestCase):
 
     def test_none_is_no_image(self):
         gws = gwatershed.createSuperpixelGWatershed(make_image())
-        self.assertRaises(TypeError, gws.iterate, None)
+        for call in gws.iterate, gwatershed.createSuperpixelGWatershed:
+            self.assertRaisesRegex(TypeError, "imread", call, None)
         self.assertEqual(gws.getNumberOfSuperpixels(), 0)
         gws.iterate()
         gws.iterate(num_iterations=2)

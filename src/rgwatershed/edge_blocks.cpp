@@ -8,6 +8,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+enum { GROUP = 4 }; // blocks at once, so a row has as many, or none of it takes sides
+
 namespace {
 
 //! The steps from four colours to four others.
@@ -26,8 +28,8 @@ struct ColorSteps
         const short L = FLOOD_LIGHTNESS / WEIGHT_STEP, C = FLOOD_CHROMA / WEIGHT_STEP;
         const v_int16x8 weights(L, C, C, 0, L, C, C, 0);
         v_int32x4 first, second;
-        splitPairs(v_reinterpret_as_s16(v_dotprod(v_mul_wrap(low, weights), others.low)),
-                   v_reinterpret_as_s16(v_dotprod(v_mul_wrap(high, weights), others.high)), first, second);
+        splitPairs(v_dotprod(v_mul_wrap(low, weights), others.low), v_dotprod(v_mul_wrap(high, weights), others.high),
+                   first, second);
         return v_cvt_f32(add(first, second));
     }
 
@@ -79,15 +81,14 @@ static inline bool mayBeCrossed(const Feature* blocks, int step)
 
 static void exchangeColors(EdgeBlock& block, Padded<Feature>& blocks)
 {
-    Feature& feature = blocks.row(block.at.y)[block.at.x];
     for (int k = 0; k < 3; k++)
-        std::swap(feature.color[k], block.other.color[k]);
+        std::swap(blocks.data()[block.at].color[k], block.other.color[k]);
 }
 
 //! The blocks of a row through which an edge goes, by rows or by columns: where it is stronger.
 static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, int y, std::vector<EdgeBlock>& found)
 {
-    const int GROUP = 4, width = blocks.size().width, step = blocks.step();
+    const int width = blocks.size().width, step = blocks.step();
     const Feature* const row = blocks.row(y);
     const int* const labels_of_row = labels.row(y);
     for (int x = 0; x < width; x += GROUP)
@@ -108,7 +109,7 @@ static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, 
                                                              upright.side, beside.side)));
         for (int i = x - start; i < GROUP; i++)
         {
-            const EdgeBlock block = { Point(start + i, y), sides[i] };
+            const EdgeBlock block = { blocks.index(Point(start + i, y)), sides[i] };
             if (strengths[i] != 0 && of_group[i] == UNSEEN)
                 found.push_back(block);
         }
@@ -118,8 +119,8 @@ static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, 
 void EdgeBlocks::takeSides(const Padded<int>& labels, Padded<Feature>& blocks)
 {
     CV_TRACE_FUNCTION();
-    const int FEWEST = 4, BAND_HEIGHT = 16, height = blocks.size().height;
-    found_.resize(blocks.size().width < FEWEST ? 0 : (height + BAND_HEIGHT - 1) / BAND_HEIGHT);
+    const int BAND_HEIGHT = 16, height = blocks.size().height;
+    found_.resize(blocks.size().width < GROUP ? 0 : (height + BAND_HEIGHT - 1) / BAND_HEIGHT);
     parallel_for_(Range(0, int(found_.size())), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
@@ -139,8 +140,8 @@ void EdgeBlocks::takeBack(const Padded<int>& labels, Padded<Feature>& blocks, Re
     for (std::vector<EdgeBlock>& band : found_)
         for (EdgeBlock& block : band)
         {
-            const Feature& feature = blocks.row(block.at.y)[block.at.x];
-            RegionSum& sum = regions.sums[labels.row(block.at.y)[block.at.x]];
+            const Feature& feature = blocks.data()[block.at];
+            RegionSum& sum = regions.sums[labels.data()[block.at]]; // all are in one: each component has a marker
             sum.add(feature, -1);
             exchangeColors(block, blocks);
             sum.add(feature);

@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 struct EdgeBlock
 {
-    Point at;
+    int at; //!< its index
     Feature other; //!< the colour of a side or its own: that which the block has not now
 };
 

@@ -23,7 +23,8 @@ static BlockLevels chooseLevels(Size size, double fewest_blocks, bool centered)
 static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, double fewest_blocks)
 {
     const int num_components = masks.components(0); // these are superpixels in any case
-    const int most = num_components + std::max(num_superpixels - num_components, 0) / SUPERPIXELS_FOR_CUT_OFF;
+    const int num_others = std::max(num_superpixels - num_components, 0);
+    const int most = num_components + (num_others + SUPERPIXELS_FOR_CUT_OFF - 1) / SUPERPIXELS_FOR_CUT_OFF;
     int level = MAX_LEVEL;
     while (level > 0 && (masks.blocks(level) < fewest_blocks ||
                          (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
@@ -85,7 +86,8 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     merges_pixels = effort.regions_on_pixels > 1 && frame.markers.empty();
     num_regions = merges_pixels ? int(std::min(num_superpixels * effort.regions_on_pixels, double(num_markers)))
                                 : num_superpixels;
-    takes_sides = top > 0 && num_markers > num_regions && takesSides(blocks / num_superpixels, flood_distance);
+    takes_sides = top > 0 && num_markers > num_regions && !parameters.temporal &&
+                  takesSides(blocks / num_superpixels, flood_distance);
     sweeps_of_pixels = sweepsOfPixels(levels.side(top), double(frame.num_pixels) / num_regions, effort);
     const double pixels_in_blocks = blocks * levels.side(top) * levels.side(top); // more than there are, at the edges
     const double most = sweeps_of_pixels == 1 ? MOST_AREA : MOST_AREA_IN_TWO;

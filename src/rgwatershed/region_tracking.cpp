@@ -61,7 +61,9 @@ RegionTracker::Variation RegionTracker::measureVariation(const FeatureMap& featu
             }
             area++;
         }
-    Variation variation = { double(squares), double(left) / (STEPS_PER_LEVEL * STEPS_PER_LEVEL) };
+    Variation variation;
+    variation.all = double(squares);
+    variation.left = double(left) / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
     for (int64 sum : sums)
         variation.all -= double(sum) * double(sum) / double(std::max<int64>(area, 1));
     return variation;
@@ -113,7 +115,8 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
         return false;
     if (change.changed_area > 0)
         replaceChanged(plan, pyramid, mask, merge_buffers, change, labels, regions);
-    last_.variation = change.changed_area > 0 ? measureVariation(features, labels, regions) : now;
+    if (now.all > ERROR_FLOOR * change.area) // else the frame is even, and tells nothing of its regions
+        last_.variation = change.changed_area > 0 ? measureVariation(features, labels, regions) : now;
     return true;
 }
 

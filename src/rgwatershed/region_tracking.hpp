@@ -39,10 +39,10 @@ private:
         double changed_area, area;
     };
 
-    //! Squared levels of colour, and how much of them the means of regions leave.
+    //! Sums of squared distances of the colours of blocks: to the mean of all, and to that of their region.
     struct Variation
     {
-        double all, left;
+        double all = 0, left = 0;
     };
 
     static Variation measureVariation(const FeatureMap& features, const Padded<int>& labels, const Regions& regions);

@@ -16,7 +16,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it,
-enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // and cut off one piece for so many superpixels at most
+enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // and cut off one piece for each begun so many superpixels at most
 static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
                                                // effort, buffers of merging would be most of the memory: not kept
 enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
@@ -99,8 +99,8 @@ inline int mergeLength(float ruler) { return cvRound(13 + 34 * std::min(ruler / 
 //! Below it, superpixels have few blocks.
 static const int FEW_BLOCKS = 12;
 
-//! Whether blocks astride of an edge take a side. Where superpixels have few blocks, each is needed as it is; depth of
-//! blocks is that of a side already.
+//! Whether blocks astride of an edge take a side, but in a video, where the next frame would move them back. Where
+//! superpixels have few blocks, each is needed as it is; depth of blocks is that of a side already.
 inline bool takesSides(double blocks_per_superpixel, const RegionDistance& distance)
 {
     return blocks_per_superpixel >= FEW_BLOCKS && !distance.with_depth;

@@ -81,33 +81,29 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, MergeGraph& 
     CV_TRACE_FUNCTION();
     const int n = int(regions.size());
     sums_.resize(n);
-    areas_.resize(n);
     means_.resize(n);
     for (int i = 0; i < n; i++)
         sums_[i] = Vec4f(regions[i].mean[0], regions[i].mean[1], regions[i].mean[2], regions[i].texture);
     spreadAlong(linksOf(graph, regions), sums_);
     for (int i = 0; i < n; i++)
     {
-        areas_[i] = regions[i].area;
-        sums_[i] *= areas_[i];
-        takeMean(i);
+        sums_[i] *= regions[i].area;
+        takeMean(i, regions[i].area);
     }
 }
 
-void MergeContexts::takeMean(int region)
+void MergeContexts::takeMean(int region, float area)
 {
-    const float share = 1 / areas_[region];
-    const Vec4f mean = sums_[region] * share;
+    const Vec4f mean = sums_[region] * (1 / area);
     for (int k = 0; k < 3; k++)
         means_[region].color[k] = short(cvRound(mean[k]));
     means_[region].texture = short(cvRound(mean[3]));
 }
 
-void MergeContexts::unite(int from, int to)
+void MergeContexts::unite(int from, int to, float area)
 {
     sums_[to] += sums_[from];
-    areas_[to] += areas_[from];
-    takeMean(to);
+    takeMean(to, area);
 }
 
 }}} // namespace

@@ -26,16 +26,15 @@ public:
     bool empty() const { return means_.empty(); }
     //! Lets those of regions spread along the edges of their graph, which are joined.
     void spread(const std::vector<MergeRegion>& regions, MergeGraph& graph);
-    //! Adds those of a region to those of another one.
-    void unite(int from, int to);
+    //! Adds those of a region to those of another one, which has a new area then.
+    void unite(int from, int to, float area);
     //! Of all regions, or null.
     const MergeContext* data() const { return empty() ? nullptr : means_.data(); }
 
 private:
-    void takeMean(int region);
+    void takeMean(int region, float area);
 
     std::vector<Vec4f> sums_; // over the areas
-    std::vector<float> areas_;
     std::vector<MergeContext> means_;
 };
 

@@ -197,7 +197,7 @@ v_int32x4 UnionCost::addContexts(const MergeEdge* e, const v_int32x4& slopes, co
 
 //! What colours add to the cost, and depths and surfaces with them.
 v_int32x4 UnionCost::addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b,
-                               const FourAreas& areas, v_int32x4 sum) const
+                               const FourAreas& areas, const v_int32x4& sum) const
 {
     const v_int32x4 zero = v_setzero_s32();
     const v_int16x8 differences = v_sub_wrap(v_reinterpret_as_s16(a.first_means), v_reinterpret_as_s16(b.first_means));
@@ -209,15 +209,15 @@ v_int32x4 UnionCost::addColors(const MergeEdge* edges, const FourRegions& a, con
     const v_int32x4 slopes = ofSlopes(a, b, share_a_cell, squared_distance);
     const v_int32x4 noise = v_select(share_a_cell, noise_in_cell_, noise_);
     const v_int32x4 distance = logarithm(add(v_max(add(squared_distance, slopes), zero), noise));
-    if (contexts_)
-        sum = addContexts(edges, slopes, noise, sum);
+    const v_int32x4 with_contexts = contexts_ ? addContexts(edges, slopes, noise, sum) : sum;
 
     const v_int32x4 steps = v_reinterpret_as_s32(v_abs(differences)); // of two channels in a word
     const v_int32x4 last_steps = v_reinterpret_as_s32(v_abs(last_differences));
     const v_int32x4 lightness = logarithm(add(v_reinterpret_as_s32(lowerHalves(steps)), light_level_));
     const v_int32x4 chroma = logarithm(add(add(v_shr<16>(steps), last_steps), v_setall_s32(STEPS_PER_LEVEL)));
     const v_int32x4 brightness = subtract(logarithm(add(a.light, b.light)), areas.both);
-    return weigh(brightness, chroma, brightness_and_chroma_, weigh(distance, lightness, distance_and_lightness_, sum));
+    return weigh(brightness, chroma, brightness_and_chroma_,
+                 weigh(distance, lightness, distance_and_lightness_, with_contexts));
 }
 
 //! What areas and the common boundary add.

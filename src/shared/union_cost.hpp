@@ -59,7 +59,7 @@ public:
 private:
     void findFour(MergeEdge* edges) const;
     v_int32x4 addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b, const FourAreas& areas,
-                        v_int32x4 sum) const;
+                        const v_int32x4& sum) const;
     v_int32x4 addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const;
     v_int32x4 addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
                           const v_int32x4& sum) const;

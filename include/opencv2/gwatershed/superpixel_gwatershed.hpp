@@ -42,7 +42,7 @@ enum GWatershedType
 
 **RGWATERSHED**, the default, is the method to use. Its steps:
 1. Features: lightness, two colour differences and depth of each pixel. Where superpixels are large enough, means of
-   blocks of 2x2, 3x3 or 4x4 pixels. From 12x12 pixels on, without depth, blocks astride of an edge take a side.
+   blocks of 2x2 to 4x4 pixels. If 12 or more of these fit in, without depth or video, those on an edge take a side.
 2. Markers: four for each superpixel, fewer for small ones, one if it has less than 6x6 pixels, each in a cell of a
    grid, away from high gradients.
 3. Flood: each marker grows into a region. Blocks wait in first-in first-out queues, one queue for each
