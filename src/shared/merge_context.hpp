@@ -18,7 +18,8 @@ struct MergeContext
 };
 
 //! Colours and textures that have spread from each region to its neighbours, the more the more these are like it, and
-//! on from there. So regions of one thing become alike, and those of two things do not.
+//! on from there, as in the diffusion of images by P. Perona and J. Malik (1990). So regions of one thing become alike,
+//! and those of two things do not.
 class MergeContexts
 {
 public:

@@ -18,8 +18,6 @@ struct FourRegions;
 //! its name. So there are no powers, roots and divisions. It is the same for both orders of the regions.
 //!     factor                                  exponent     with
 //!     d^2 + slope e + noise                   distance     d the distance of the means
-//!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
-//!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
 //!     n1 n2 / (n1 + n2)                       areas        n the areas; the first two are Ward's cost if these are 1
 //!     h + 1                                   contrast     h the mean contrast across the boundary
 //!     l / root of the smaller n               -length      l the length of the boundary
@@ -28,6 +26,8 @@ struct FourRegions;
 //!     C + 1                                   chroma       C the distance of the means in the two other channels
 //!     smaller T                               -texture     T = a + b + 1, a and b the steps across and down of a
 //!     larger r / smaller r                    direction    RegionTexture for each pixel; r = (a + 0.5) / (b + 0.5)
+//!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
+//!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
 //!     max(1, s (n1 + n2) / usual area)        32           s = root of max(1, root of the smaller n / l), or 1
 //!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
 //!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
