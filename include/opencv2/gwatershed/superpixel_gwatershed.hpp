@@ -345,9 +345,9 @@ public:
     | effort | flood and merging | time | UE |
     |---|---|---|---|
     | 0 | fewer markers; below 14x14 pixels larger blocks, too | 0.85 | 0.068 |
-    | 1 | as the class documentation says | 1 | 0.064 |
+    | 1 | as the class documentation says | 1 | 0.063 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.060 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.058 |
 
     Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is the
     undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
