@@ -44,7 +44,7 @@ struct Crossings
     //! lies on the straight line between theirs.
     Crossings(const Feature* blocks, const int* labels, int step)
     {
-        const float LARGE = float(EDGE_STEP * EDGE_STEP * (FULL_WEIGHT / ColorSteps::WEIGHT_STEP));
+        const int LARGE = EDGE_STEP * EDGE_STEP * (FULL_WEIGHT / ColorSteps::WEIGHT_STEP);
         const v_uint32x4 before = v_reinterpret_as_u32(v_load(blocks[-step].color));
         const v_uint32x4 after = v_reinterpret_as_u32(v_load(blocks[step].color));
         const v_uint8x16 first = v_reinterpret_as_u8(v_min(before, after)); // the same in a mirrored image
@@ -54,7 +54,7 @@ struct Crossings
         const v_float32x4 aside = subtract(multiply(length, part.times(part)), multiply(along, along));
         const v_float32x4 most_aside = multiply(multiply(length, length), v_setall_f32(EDGE_ASIDE * EDGE_ASIDE));
         const v_float32x4 in_between = v_min(along, subtract(length, along));
-        const v_float32x4 least = v_min(v_min(subtract(length, v_setall_f32(LARGE)), in_between),
+        const v_float32x4 least = v_min(v_min(subtract(length, v_setall_f32(float(LARGE))), in_between),
                                         subtract(most_aside, aside));
         const v_int32x4 lowest_label = v_min(v_load(labels - step), v_load(labels + step));
         const v_int32x4 crossed = bitAnd(isPositive(v_reinterpret_as_s32(least)),
