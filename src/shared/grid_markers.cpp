@@ -127,10 +127,10 @@ MarkerGrid::MarkerGrid(Size size_, Size extent_, int unit_, int num_cells_, int 
         int shorter = int(std::sqrt(double(count)));
         while (count % shorter != 0)
             shorter--;
-        Size usual(count / shorter, shorter), other(shorter, count / shorter);
+        Size usual(count / shorter, shorter), turned(shorter, count / shorter);
         if (extent.height > extent.width)
-            std::swap(usual, other); // a transposed image has the transposed grid
-        parts = fits(usual, smallest_cell) ? usual : fits(other, smallest_cell) ? other : parts;
+            std::swap(usual, turned); // a transposed image has the transposed grid
+        parts = fits(usual, smallest_cell) ? usual : fits(turned, smallest_cell) ? turned : parts;
         if (parts.area() == count)
             return;
     }
