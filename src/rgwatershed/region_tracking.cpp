@@ -39,33 +39,43 @@ static void measureErrors(const FeatureMap& features, const RegionDistance& dist
         }
 }
 
-//! @note Noise has hardly any share of its variation between regions. A light that changes, changes no shares.
-RegionTracker::Variation RegionTracker::measureVariation(const FeatureMap& features, const Padded<int>& labels,
-                                                         const Regions& regions)
+//! The sum of the squared colours of blocks that are in a region.
+static double sumOfSquares(const FeatureMap& features, const Padded<int>& labels)
 {
-    int64 squares = 0, left = 0, sums[3] = { 0, 0, 0 }, area = 0;
+    int64 sum = 0;
     const Size size = labels.size();
     for (int y = 0; y < size.height; y++)
+    {
+        const Feature* const row = features.row(y);
+        const int* const labels_of_row = labels.row(y);
         for (int x = 0; x < size.width; x++)
-        {
-            const int label = labels.row(y)[x];
-            if (label < 0)
-                continue;
             for (int k = 0; k < 3; k++)
-            {
-                const int color = features.row(y)[x].color[k];
-                const int steps = color * STEPS_PER_LEVEL - regions.means[label].color[k];
-                squares += color * color;
-                left += steps * steps;
-                sums[k] += color;
-            }
-            area++;
-        }
+                sum += labels_of_row[x] < 0 ? 0 : row[x].color[k] * row[x].color[k];
+    }
+    return double(sum);
+}
+
+//! What the mean of a region explains of the sum of its squared colours.
+static double explainedBy(const RegionSum& region)
+{
+    double squares = 0;
+    for (int k = 0; k < 3; k++)
+        squares += double(region.color[k]) * double(region.color[k]);
+    return squares / std::max(region.area, 1);
+}
+
+//! @note Noise has hardly any share of its variation between regions. A light that changes, changes no shares.
+RegionTracker::Variation RegionTracker::variationOf(double squares, const Regions& regions)
+{
     Variation variation;
-    variation.all = double(squares);
-    variation.left = double(left) / (STEPS_PER_LEVEL * STEPS_PER_LEVEL);
-    for (int64 sum : sums)
-        variation.all -= double(sum) * double(sum) / double(std::max<int64>(area, 1));
+    RegionSum all = RegionSum();
+    variation.left = squares;
+    for (const RegionSum& region : regions.sums)
+    {
+        all.add(region);
+        variation.left -= explainedBy(region);
+    }
+    variation.all = squares - explainedBy(all);
     return variation;
 }
 
@@ -73,7 +83,7 @@ void RegionTracker::start(const Plan& plan, const FeatureMap& features, const Pa
                           const Regions& regions)
 {
     measureErrors(features, plan.sweep.distance, labels, regions, last_.errors);
-    last_.variation = measureVariation(features, labels, regions);
+    last_.variation = variationOf(sumOfSquares(features, labels), regions);
 }
 
 void RegionTracker::keep(const Plan& plan, const Mat& labels)
@@ -107,7 +117,8 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     measureErrors(features, plan.sweep.distance, labels, regions, errors);
 
     Change change = findChange(errors, regions);
-    const Variation before = last_.variation, now = measureVariation(features, labels, regions);
+    const double squares = sumOfSquares(features, labels);
+    const Variation before = last_.variation, now = variationOf(squares, regions);
     const bool was_noise = plan.sweep.distance.shareOfColor(FULL_WEIGHT) > 0 &&
                            before.left * now.all > ERROR_GROWTH * now.left * before.all +
                                                    ERROR_FLOOR * change.area * now.all;
@@ -116,7 +127,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     if (change.changed_area > 0)
         replaceChanged(plan, pyramid, mask, merge_buffers, change, labels, regions);
     if (now.all > ERROR_FLOOR * change.area) // else the frame is even, and tells nothing of its regions
-        last_.variation = change.changed_area > 0 ? measureVariation(features, labels, regions) : now;
+        last_.variation = variationOf(squares, regions);
     return true;
 }
 

@@ -45,7 +45,7 @@ private:
         double all = 0, left = 0;
     };
 
-    static Variation measureVariation(const FeatureMap& features, const Padded<int>& labels, const Regions& regions);
+    static Variation variationOf(double squares, const Regions& regions);
     bool hasSameBlocks(const BlockLevels& levels, Size image) const;
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
     void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
