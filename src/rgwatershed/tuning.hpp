@@ -17,8 +17,8 @@ namespace cv { namespace ximgproc { namespace gws {
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
 static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it,
 enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // and cut off one piece for each begun so many superpixels at most
-static const double MARKERS_WITH_BUFFERS = 0.06; // for each pixel; with more of them, small superpixels by a high
-                                               // effort, buffers of merging would be most of the memory: not kept
+static const double REGIONS_WITH_BUFFERS = 0.06; // for each pixel; for more of them, as small superpixels have, buffers
+                                               // of merging would be most of the memory: not kept
 enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
 enum { EDGE_STEP = 64 };                       // levels, as the flood counts them: more from one neighbour of a block
 static const float EDGE_ASIDE = 0.05f;         // to the other is an edge, if the block lies no farther than this part
@@ -86,10 +86,10 @@ inline int boundaryPrice(double price, double side, float ruler)
     return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
 }
 
-//! Whether buffers of merging are too large to be kept.
-inline bool hasLargeMergeBuffers(int num_markers, int num_pixels)
+//! Whether the buffers of merging so many regions are too large to be kept.
+inline bool hasLargeMergeBuffers(int num_regions, int num_pixels)
 {
-    return num_markers > MARKERS_WITH_BUFFERS * num_pixels;
+    return num_regions > REGIONS_WITH_BUFFERS * num_pixels;
 }
 
 //! Exponent of the length of common boundaries. Long ones make compact superpixels, so they count as much as the ruler

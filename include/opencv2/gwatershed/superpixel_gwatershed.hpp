@@ -52,9 +52,9 @@ enum GWatershedType
 5. Sweeps: each block, and later each pixel, on a boundary may move to the neighbouring region, if that is nearer
    in colour and depth or makes the boundary shorter. Each further iteration sweeps more.
 
-**GWATERSHED** is Algorithm 1 of the paper, kept exactly for comparison: a gradient map, one marker at a
-low gradient for each superpixel, and a flood with the distances of equations (1) to (4) as priorities. It leaves
-lines where two floods meet; at the end each pixel of a line joins the most similar neighbour.
+**GWATERSHED** is Algorithm 1 of the paper, for comparison: a gradient map, one marker at a low gradient for each
+superpixel, and a flood with the distances of equations (1) to (4) as priorities. It leaves lines where two floods meet.
+One step is added: at the end each pixel of a line joins the most similar neighbour.
 
 **Result.** Every pixel has a label, the labels are 0 to N - 1 without gaps, and the pixels of one label are
 one 4-connected component. Labels run from top to bottom, roughly: by the first cell of the grid of markers that is in
@@ -65,9 +65,9 @@ label, which are -1 (setMask(), setMarkers()), and results that depend on earlie
 **Images** have any depth from CV_8U to CV_16F and 1 to 4 channels, as Mat or UMat. The fourth channel is ignored. The
 image is reduced to 8 bits; setValueRange() says how. Three channels are BGR: RGWATERSHED converts them itself, so give
 it images as imread() returns them, or see setLabInput(). GWATERSHED compares the channels as they are. Two channels
-count alike in RGWATERSHED, up to rounding, which moves some boundaries; the gradient of GWATERSHED is one of grey,
-which weighs them, see setBorderThreshold(). If there are more, choose some by cv::extractChannel(), or reduce them by
-cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
+count alike in RGWATERSHED, up to rounding, which moves a sixth of the boundaries if they are exchanged; the gradient of
+GWATERSHED is one of grey, which weighs them, see setBorderThreshold(). If there are more, choose some by
+cv::extractChannel(), or reduce them by cv::PCA. Images have (width + 2) * (height + 2) < 2^31 - 3, sides < 2^29 - 16.
 
 **Depth** has the size of the image. It is CV_16UC1 (usually in millimetres), CV_32FC1 or CV_64FC1 (usually in metres),
 CV_16SC1 (the disparity of cv::StereoSGBM, with minDisparity 0) or CV_8UC1 (already scaled, unless a range is set).
@@ -95,8 +95,9 @@ segmentation, the image of the factory, the mask, the markers and the buffers, a
 while there is no segmentation.
 
 **Cost.** Time and memory grow linearly with the number of pixels. Each superpixel adds about a microsecond, and one to
-three in mergeSimilar() and mergeSmall(). Buffers are kept from one image to the next, but for up to 730 bytes for each
-superpixel that mergeSimilar() needs while it runs.
+three in mergeSimilar() and mergeSmall(). Buffers are kept until clear(): 16 to 70 bytes for each pixel (1x1: 163), up
+to eight times as much with small superpixels and an effort of 2 or 3. mergeSimilar() takes 4 bytes more for each pixel,
+until the next iterate(), and up to 1100 for each superpixel, kept unless superpixels have less than 17 pixels.
 */
 class CV_EXPORTS_W SuperpixelGWatershed : public Algorithm
 {
@@ -209,7 +210,6 @@ public:
     slope that both are parts of, all directions cost alike. The distances are those of RGWATERSHED, in its opponent
     space or in the channels of setLabInput(true), with surfaces if there are any; alpha weighs depth. Where colours are
     equal, a plan decides: it divides the image into tiles of ten superpixels, and these into halves, to single ones.
-    The formula stands in src/shared/union_cost.hpp, its constants in src/shared/merge_rules.hpp.
 
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
@@ -259,9 +259,9 @@ public:
     @param pairs M x 2 CV_32SC1: labels a < b of two superpixels that share a boundary (4-neighbours), in rows
     sorted by a, then b.
     @param lengths M x 1 CV_32SC1, length of the boundary in pixel edges.
-    @param contrasts M x 1 CV_32FC1, contrast of the boundary, 0 to 255: the mean over its pixel edges of the
-    distance of the two pixels, equations (1) to (3) of the paper: alpha times the largest difference of a channel plus
-    1 - alpha times that of scaled depth. With depth, distances are rounded to whole levels.
+    @param contrasts M x 1 CV_32FC1, contrast of the boundary, 0 to 255: the mean over its pixel edges of the distance
+    of the two pixels, equations (1) to (3) of the paper: alpha times the largest difference of a channel plus 1 - alpha
+    times that of scaled depth, in whole levels; where depth is missing, the difference of the channel alone.
 
     Without a mask or user markers the graph is connected. A table without rows is None in Python. Throws
     cv::Exception before the first iterate().
@@ -331,8 +331,8 @@ public:
     /** @brief Sets the compactness.
     @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and boundaries
     are ragged. Small values give high boundary recall, larger ones more compact superpixels, though never squares. The
-    effect does not depend on the size of superpixels, or, with the same setValueRange(), on the bit depth of the image.
-    GWATERSHED ignores it.
+    effect depends little on the size of superpixels, from 10x10 pixels on, and, with the same setValueRange(), not on
+    the bit depth of the image. GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
@@ -344,14 +344,14 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers; below 14x14 pixels larger blocks, too | 0.85 | 0.068 |
-    | 1 | as the class documentation says | 1 | 0.063 |
-    | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.061 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.058 |
+    | 0 | fewer markers; below 14x14 pixels mostly larger blocks, too | 0.85 | 0.0675 |
+    | 1 | as the class documentation says | 1 | 0.0635 |
+    | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.0612 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.0584 |
 
-    Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is the
-    undersegmentation error of 400 superpixels on the photographs of BSDS500's train split. With surfaces
-    (setFocalLength()), and in temporal mode, 3 is the same as 2. With user markers effort has no effect. */
+    Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is that of
+    400 superpixels on BSDS500 (train). With surfaces (setFocalLength()), and in temporal mode, 3 is the same as 2; with
+    8x8, 5x5, 4x4, 2x2 and 1x1 pixels 0 is the same as 1. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
