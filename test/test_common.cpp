@@ -255,6 +255,19 @@ std::vector<std::vector<Point> > pixelsOf(const Mat& labels)
     return pixels;
 }
 
+Vec2d extremeAreas(const Mat& labels)
+{
+    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
+    const double mean = double(labels.total()) / double(pixels.size());
+    Vec2d extremes(1, 1);
+    for (size_t i = 0; i < pixels.size(); i++)
+    {
+        extremes[0] = std::min(extremes[0], double(pixels[i].size()) / mean);
+        extremes[1] = std::max(extremes[1], double(pixels[i].size()) / mean);
+    }
+    return extremes;
+}
+
 double medianAspect(const Mat& labels)
 {
     const std::vector<std::vector<Point> > pixels = pixelsOf(labels);

@@ -58,6 +58,8 @@ void expectMaskedPartition(const Mat& labels, const Mat& mask, int num_labels);
 Rect boundsOf(const std::vector<Point>& points);
 //! The pixels of each label, of which some may have none.
 std::vector<std::vector<Point> > pixelsOf(const Mat& labels);
+//! Areas of the smallest and of the largest superpixel, in mean areas.
+Vec2d extremeAreas(const Mat& labels);
 //! The median over the superpixels of the longer side of the bounding box over the shorter one. Labels may be missing.
 double medianAspect(const Mat& labels);
 //! Number of 4-connected pieces of a mask.

@@ -200,6 +200,63 @@ TEST(ximgproc_SuperpixelGWatershed, more_effort_than_usual_leaks_less)
     EXPECT_LT(leaks[3], 0.95 * leaks[0]);
 }
 
+Mat segmentRegions(const Mat& image, int effort, int region_size)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
+    gws->setEffort(effort);
+    gws->iterate(image);
+    return labelsOf(gws);
+}
+
+// The last regions of a cell are united with each other, not with those beside it.
+TEST(ximgproc_SuperpixelGWatershed, areas_of_an_even_image_are_alike_with_more_effort)
+{
+    for (const int effort : { 2, 3 })
+        for (const Size& size : { Size(640, 480), Size(481, 321), Size(333, 249) })
+            for (const int region_size : { 10, 13, 14, 17, 20, 21, 30 })
+            {
+                const Mat labels = segmentRegions(Mat(size, CV_8UC3, Scalar(90, 120, 60)), effort, region_size);
+                const Vec2d areas = extremeAreas(labels);
+                EXPECT_GE(areas[0], 0.6) << effort << ", " << size << ", " << region_size;
+                EXPECT_LE(areas[1], 1.7) << effort << ", " << size << ", " << region_size;
+                EXPECT_GE(compactness(labels), 0.6) << effort << ", " << size << ", " << region_size;
+            }
+}
+
+// Means of 2x2 pixels have more noise than those of larger blocks.
+TEST(ximgproc_SuperpixelGWatershed, no_strips_on_a_ramp_with_noise_with_more_effort)
+{
+    RNG& rng = theRNG();
+    for (const int effort : { 2, 3 })
+        for (const Size& size : { Size(320, 240), Size(400, 300) })
+            for (const int region_size : { 13, 14, 17, 20, 21, 30 })
+            {
+                Mat image(size, CV_8UC3);
+                for (int y = 0; y < size.height; y++)
+                    for (int x = 0; x < size.width * 3; x++)
+                        image.ptr(y)[x] = saturate_cast<uchar>(cvRound(255. * y / (size.height - 1)) +
+                                                               cvRound(rng.gaussian(1)));
+                EXPECT_LE(medianAspect(segmentRegions(image, effort, region_size)), 1.6)
+                        << effort << ", " << size << ", " << region_size;
+            }
+}
+
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_board_with_the_most_effort)
+{
+    for (const int side : { 3, 5, 9, 14, 20 })
+        for (const int region_size : { 13, 17, 21 })
+            for (int offset = 0; offset < side; offset += 3)
+            {
+                Mat image(321, 481, CV_8UC3);
+                for (int y = 0; y < image.rows; y++)
+                    for (int x = 0; x < image.cols; x++)
+                        image.at<Vec3b>(y, x) = ((x + offset) / side + (y + 2 * offset) / side) % 2
+                                ? Vec3b(127, 27, 251) : Vec3b(153, 136, 99);
+                EXPECT_LE(extremeAreas(segmentRegions(image, 3, region_size))[1], 4)
+                        << side << ", " << region_size << ", " << offset;
+            }
+}
+
 Ptr<SuperpixelGWatershed> createTemporalWithEffort(Size size, int effort)
 {
     Ptr<SuperpixelGWatershed> gws = createWithEffort(size, 75, effort);

@@ -31,20 +31,6 @@ Mat mergedToATenth(const Mat& image, int region_size)
     return labelsOf(gws);
 }
 
-//! Areas of the smallest and of the largest superpixel, in mean areas.
-Vec2d extremeAreas(const Mat& labels)
-{
-    const std::vector<std::vector<Point> > pixels = pixelsOf(labels);
-    const double mean = double(labels.total()) / double(pixels.size());
-    Vec2d extremes(1, 1);
-    for (size_t i = 0; i < pixels.size(); i++)
-    {
-        extremes[0] = std::min(extremes[0], double(pixels[i].size()) / mean);
-        extremes[1] = std::max(extremes[1], double(pixels[i].size()) / mean);
-    }
-    return extremes;
-}
-
 void addNoise(Mat& image, double level)
 {
     for (int y = 0; y < image.rows; y++)

@@ -8,25 +8,31 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
-                         const MergeRules& rules, MergeBuffers& buffers, Padded<int>& labels, Regions& regions)
+std::vector<int> mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
+                                     const MergeRules& rules, const UnionPlan& plan, MergeBuffers& buffers,
+                                     Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
+    std::vector<int> left;
     if (regions.size() <= num_regions)
-        return;
+        return left;
     Mat map = labels.view();
     buffers.graph.build(map, regions.size(), features, distance);
-    SimilarMerger merger(distance, rules, buffers, regions);
+    SimilarMerger merger(distance, rules, buffers, regions, plan);
     merger.run(num_regions);
 
     const std::vector<int>& parents = merger.parents();
     std::vector<int> numbers;
-    const int left = numberRegions(parents, numbers);
+    left.reserve(numberRegions(parents, numbers));
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)
+        {
             regions.copy(i, numbers[i]);
-    regions.resize(left);
+            left.push_back(i);
+        }
+    regions.resize(int(left.size()));
     renumber(numbers, map);
+    return left;
 }
 
 }}} // namespace

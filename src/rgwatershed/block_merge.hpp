@@ -9,9 +9,11 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Merges the most similar neighbours until num_regions are left.
-void mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
-                         const MergeRules& rules, MergeBuffers& buffers, Padded<int>& labels, Regions& regions);
+//! Merges the most similar neighbours until num_regions are left. The plan may be empty. Returns the numbers that those
+//! that are left had before, if any were merged.
+std::vector<int> mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
+                                     const MergeRules& rules, const UnionPlan& plan, MergeBuffers& buffers,
+                                     Padded<int>& labels, Regions& regions);
 
 }}} // namespace
 

@@ -77,7 +77,7 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     sweeps_before_merging = sweeps.before_merging;
     sweeps_after_merging = sweeps.after_merging;
     depth_adaptive = parameters.depth_adaptive && !frame.normals.empty();
-    merge_rules = mergeRules(ruler, blocks / num_superpixels);
+    merge_rules = mergeRules(ruler, blocks / num_superpixels, levels.side(top));
     merge_rules.on_surface = depth_adaptive;
     merge_rules.texture = flood_distance.shareOfColor(merge_rules.texture);
     merge_rules.direction = flood_distance.shareOfColor(merge_rules.direction);

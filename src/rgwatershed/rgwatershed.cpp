@@ -103,6 +103,7 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
+    first_markers_.clear();
     if (regions_.size() <= plan.num_regions)
         return;
     MergeRules rules = plan.merge_rules;
@@ -114,17 +115,18 @@ void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
         sweeper.sweepAll(plan.sweeps_before_merging, features, plan.sweep_before_merging, labels, regions_);
     measureBlockTextures(features_, plan.levels, plan.flood_distance, labels, regions_.size(), steps_,
                          merge_buffers.textures);
-    merge(plan, plan.levels.top, plan.num_regions, rules, merge_buffers);
+    first_markers_ = merge(plan, plan.levels.top, plan.num_regions, rules, UnionPlan(), merge_buffers);
 }
 
-//! Regions of a level. Large buffers are given back, before others are needed.
-void RGWatershed::merge(const Plan& plan, int level, int num_regions, const MergeRules& rules,
-                        MergeBuffers& merge_buffers)
+//! Regions of a level. Large buffers are given back, before others are needed. Returns which regions are left.
+std::vector<int> RGWatershed::merge(const Plan& plan, int level, int num_regions, const MergeRules& rules,
+                                    const UnionPlan& of_unions, MergeBuffers& merge_buffers)
 {
-    mergeSimilarRegions(num_regions, features_[level], plan.flood_distance, rules, merge_buffers, labels_[level],
-                        regions_);
+    const std::vector<int> left = mergeSimilarRegions(num_regions, features_[level], plan.flood_distance, rules,
+                                                      of_unions, merge_buffers, labels_[level], regions_);
     if (hasLargeMergeBuffers(plan.num_markers, features_[0].size().area()))
         merge_buffers = MergeBuffers();
+    return left;
 }
 
 //! Many small markers are seeds of superpixels, as those of a grid, and have a ruler as these: one that begins with the
@@ -199,13 +201,14 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 }
 
 //! Where time matters least: the last unions are chosen when boundaries are settled, by the textures of regions, too.
-//! This follows what people see more than any number of smaller blocks.
+//! This follows what people see more than any number of smaller blocks. Where colours are even, cells of markers unite.
 void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view();
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
-    merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules, merge_buffers);
+    merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules,
+          planUnions(first_markers_, markers_.in_cell, regions_.size()), merge_buffers);
     SweepRules rules = plan.sweepOn(0);
     rules.last = num_iterations == 1;
     sweepers_[0].sweepAll(1, features_[0], rules, labels_[0], regions_);

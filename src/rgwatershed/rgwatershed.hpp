@@ -36,7 +36,8 @@ private:
     void findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers);
     void floodBlocks(const Plan& plan, const Mat& mask);
     void sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
-    void merge(const Plan& plan, int level, int num_regions, const MergeRules& rules, MergeBuffers& merge_buffers);
+    std::vector<int> merge(const Plan& plan, int level, int num_regions, const MergeRules& rules,
+                           const UnionPlan& of_unions, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     bool track(const Frame& frame, const Mat& mask, MergeBuffers& merge_buffers, Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
@@ -52,6 +53,7 @@ private:
     EdgeBlocks edge_blocks_;
     RegionTracker tracker_;
     NormalTrust normal_trust_;
+    std::vector<int> first_markers_; // of the regions of blocks that merging left; empty: nothing was merged
 
     // Buffers.
     Mat gradient_, steps_;

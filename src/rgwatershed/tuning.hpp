@@ -107,7 +107,7 @@ inline bool takesSides(double blocks_per_superpixel, const RegionDistance& dista
 }
 
 //! Merging of regions of blocks.
-inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
+inline MergeRules mergeRules(float ruler, double blocks_per_superpixel, int side_of_blocks)
 {
     MergeRules rules;
     rules.distance = rules.with_depth = 56;
@@ -117,6 +117,7 @@ inline MergeRules mergeRules(float ruler, double blocks_per_superpixel)
     rules.lightness = blocks_per_superpixel < FEW_BLOCKS ? 10 : 28; // shading varies less within small ones
     rules.brightness = 42;
     rules.slope = rules.slope_in_cell = -24;
+    rules.grain = side_of_blocks > 2 ? 1.5f : 2.5f; // means of fewer pixels have more of it
     rules.rounding = 0.15f; // of blocks, so of few values
     rules.uneven = 0.3f;
     rules.chroma_slope = 1.75f;
@@ -155,7 +156,7 @@ inline MergeRules pixelMergeRules(float ruler, bool with_depth)
         rules.spread_texture = 12;
         rules.distance = 32;
     }
-    rules.usual = 3.6f;
+    rules.usual = 3.2f; // no pattern has larger superpixels than 4 mean areas
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;
 }

@@ -160,4 +160,17 @@ UnionPlan planUnions(const Mat& labels, int num_labels)
     return plan;
 }
 
+UnionPlan planUnions(const std::vector<int>& left, int in_cell, int num_regions)
+{
+    UnionPlan plan;
+    if (left.empty())
+        return plan;
+    for (const int region : left)
+        plan.parts.push_back(region / in_cell);
+    for (int i = 0; i <= plan.parts.back(); i++)
+        plan.above.push_back(i);
+    plan.parts.resize(num_regions, -1);
+    return plan;
+}
+
 }}} // namespace
