@@ -53,12 +53,13 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     frame.color = image;
     frame.num_pixels = int(image.total());
     frame.num_superpixels = num_superpixels;
-    const gws::Plan plan(frame, gws::Parameters(), gws::MaskPyramid());
+    const gws::MaskPyramid no_mask;
+    const gws::Plan plan(frame, gws::Parameters(), no_mask);
     Steps steps;
     steps.block = plan.levels.side(plan.levels.top);
 
     gws::FeatureMap pyramid[gws::MAX_LEVEL + 1];
-    gws::makePyramid(frame, false, plan.levels, pyramid);
+    gws::makePyramid(frame, false, plan.levels, no_mask, pyramid);
     gws::FeatureMap& blocks = pyramid[plan.levels.top];
     gws::Padded<int> labels;
     gws::clearLabels(blocks.size(), Mat(), labels);
@@ -90,7 +91,8 @@ static Steps runSteps(const Mat& image, int num_superpixels)
                                   merge_buffers.textures);
         gws::MergeRules rules = plan.merge_rules;
         rules.in_cell = markers.in_cell;
-        gws::mergeSimilarRegions(plan.num_regions, blocks, plan.flood_distance, rules, merge_buffers, labels, regions);
+        gws::mergeSimilarRegions(plan.num_regions, blocks, plan.flood_distance, rules, gws::UnionPlan(), merge_buffers,
+                                 labels, regions);
     }
     steps.merged = labels.view().clone();
 

@@ -47,6 +47,13 @@ Mat segment(InputArray image, InputArray depth, int algorithm, int region_size);
 //! Share of the pixels that are in a superpixel whose most pixels are of their class, a value of a CV_8UC1 map.
 double purity(const Mat& labels, int number, const Mat& classes);
 
+//! CV_32SC1 cells of random points.
+Mat makeCells(Size size, int count, RNG& rng);
+//! A colour for each cell, with shading, blur and noise. CV_8UC3.
+Mat paintCells(const Mat& cells, int count, RNG& rng);
+//! Pixels that are not in the cell that most of their superpixel lies in. Labels below 0 do not count.
+int countLeaks(const Mat& labels, int num_labels, const Mat& cells, int num_cells);
+
 //! Number of 4-connected pieces of equal label.
 int countPieces(const Mat& labels);
 //! All pixels labelled, labels 0..N-1 without gaps, each of them one 4-connected piece.

@@ -26,63 +26,6 @@ Mat segmentWithEffort(const Mat& image, int num_superpixels, int effort)
     return labelsOf(gws);
 }
 
-//! Cells of random points.
-Mat makeCells(Size size, int count, RNG& rng)
-{
-    std::vector<Point> centers;
-    for (int i = 0; i < count; i++)
-        centers.push_back(Point(rng.uniform(0, size.width), rng.uniform(0, size.height)));
-    Mat cells(size, CV_32SC1);
-    for (int y = 0; y < size.height; y++)
-        for (int x = 0; x < size.width; x++)
-        {
-            int nearest = 0, least = INT_MAX;
-            for (int i = 0; i < count; i++)
-            {
-                const Point d = centers[i] - Point(x, y);
-                if (d.dot(d) < least)
-                {
-                    least = d.dot(d);
-                    nearest = i;
-                }
-            }
-            cells.at<int>(y, x) = nearest;
-        }
-    return cells;
-}
-
-//! A colour for each cell, with shading, blur and noise.
-Mat paintCells(const Mat& cells, int count, RNG& rng)
-{
-    std::vector<Vec3b> colors;
-    for (int i = 0; i < count; i++)
-        colors.push_back(Vec3b(uchar(rng.uniform(60, 200)), uchar(rng.uniform(60, 200)), uchar(rng.uniform(60, 200))));
-    Mat image(cells.size(), CV_8UC3), noise(cells.size(), CV_16SC3);
-    for (int y = 0; y < cells.rows; y++)
-        for (int x = 0; x < cells.cols; x++)
-        {
-            const int shade = (x * (cells.at<int>(y, x) % 3) + y * (cells.at<int>(y, x) % 5)) / 3 % 64;
-            image.at<Vec3b>(y, x) = colors[cells.at<int>(y, x)] + Vec3b::all(uchar(std::abs(shade - 32)));
-        }
-    GaussianBlur(image, image, Size(5, 5), 0);
-    rng.fill(noise, RNG::NORMAL, Scalar::all(0), Scalar::all(4));
-    cv::add(image, noise, image, noArray(), CV_8U);
-    return image;
-}
-
-//! Pixels that are not in the cell that most of their superpixel lies in.
-int countLeaks(const Mat& labels, int num_labels, const Mat& cells, int num_cells)
-{
-    Mat common(num_labels, num_cells, CV_32SC1, Scalar(0));
-    for (int y = 0; y < cells.rows; y++)
-        for (int x = 0; x < cells.cols; x++)
-            common.at<int>(labels.at<int>(y, x), cells.at<int>(y, x))++;
-    int leaks = cells.size().area();
-    for (int i = 0; i < num_labels; i++)
-        leaks -= *std::max_element(common.ptr<int>(i), common.ptr<int>(i) + num_cells);
-    return leaks;
-}
-
 TEST_P(ximgproc_GWatershed_effort, gives_the_number_of_connected_superpixels)
 {
     RNG& rng = theRNG();

@@ -312,6 +312,29 @@ TEST_P(ximgproc_GWatershed_mask, has_superpixels_of_usual_areas_with_holes_of_si
     }
 }
 
+// Blocks reach to the edge of a mask and over its small holes. What is left out joins a superpixel that is beside it.
+TEST(ximgproc_SuperpixelGWatershed, superpixels_of_a_ragged_mask_follow_the_image)
+{
+    RNG& rng = theRNG();
+    const int num_cells = 120;
+    const Size size(320, 240);
+    int leaks = 0, inside = 0;
+    for (int i = 0; i < 12; i++)
+    {
+        const Mat cells = makeCells(size, num_cells, rng), image = paintCells(cells, num_cells, rng);
+        Mat waves(size, CV_32FC1), mask;
+        rng.fill(waves, RNG::NORMAL, 0, 1);
+        GaussianBlur(waves, waves, Size(), 6);
+        mask = waves > 0;
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 16);
+        gws->setMask(mask);
+        gws->iterate(image);
+        leaks += countLeaks(labelsOf(gws), gws->getNumberOfSuperpixels(), cells, num_cells);
+        inside += countNonZero(mask);
+    }
+    EXPECT_LE(leaks, 0.042 * inside);
+}
+
 TEST_P(ximgproc_GWatershed_mask, is_the_same_for_any_number_of_threads)
 {
     RNG& rng = theRNG();

@@ -257,9 +257,22 @@ void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions&
         }
 }
 
+//! The element of a block that is outside of a mask is taken for the one beside it, so that only those inside count.
+static void fillHoles(const Mat& mask, const Mat& blocks, const Range& rows, Padded<Feature>& features)
+{
+    for (int y = rows.start; y < rows.end; y++)
+    {
+        const uchar *inside = mask.ptr(y), *in_block = blocks.ptr(y / 2);
+        Feature* row = features.row(y);
+        for (int x = 0; x < mask.cols; x++)
+            if (!inside[x] && in_block[x / 2])
+                row[x] = row[x ^ 1];
+    }
+}
+
 //! All levels of a band, of which some rows of the last level are known; its blocks are whole.
-static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& levels, const Range& top_rows, int band,
-                     FeatureMap* features)
+static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
+                     const Range& top_rows, int band, FeatureMap* features)
 {
     Range rows[MAX_LEVEL + 1]; // on each level
     rows[levels.top] = top_rows;
@@ -269,10 +282,15 @@ static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& leve
         rows[level - 1] = Range(blocks.start(rows[level].start), blocks.start(rows[level].end));
     }
     for (int level = 0; level <= levels.top; level++)
+    {
         makeRows(frame, lab_input, levels, level, rows[level], band, features);
+        if (!frame.mask.empty() && level < levels.top)
+            fillHoles(masks.mask(level), masks.mask(level + 1), rows[level], features[level]);
+    }
 }
 
-void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features)
+void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
+                 FeatureMap* features)
 {
     CV_TRACE_FUNCTION();
     createLevels(frame, levels, features);
@@ -284,7 +302,8 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
     parallel_for_(Range(0, num_bands), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)
-            makeBand(frame, lab_input, levels, Range(i * height, std::min((i + 1) * height, num_rows)), i, features);
+            makeBand(frame, lab_input, levels, masks, Range(i * height, std::min((i + 1) * height, num_rows)), i,
+                     features);
     });
 }
 

@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_FEATURE_PYRAMID_HPP
 
 #include "rgwatershed/block_grid.hpp"
+#include "rgwatershed/mask_pyramid.hpp"
 #include "shared/features.hpp"
 #include "shared/frame.hpp"
 #include "shared/regions.hpp"
@@ -39,7 +40,8 @@ struct BlockLevels
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
 //! where some of them are missing, the last one stands for them. At a step, its depth is that of one side.
 //! Normals, if there are any, are those of blocks of 2x2 pixels; larger blocks have their means.
-void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, FeatureMap* features);
+void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
+                 FeatureMap* features);
 
 //! Adds to the sums of regions of blocks, divided, what the depths of blocks at a step leave out: the other side of it.
 //! Then they are the sums over the elements, which move to other regions one by one.

@@ -8,31 +8,51 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Whether elements inside of two blocks touch. `from` is the first element of one along their border, `to` that of the
+//! other one, and `step` leads to the second ones.
+static bool touch(const uchar* from, const uchar* to, size_t step)
+{
+    return (from[0] & to[0]) || (from[step] & to[step]);
+}
+
+//! Blocks of 2x2 elements, of which one may be outside, as a small hole. Those inside are connected, and so are those
+//! of blocks side by side: a block that does not touch the one before it, or above it, with them is left out.
 //! An odd last row or column is repeated, as in the means of blocks.
 static void halveMask(const Mat& mask, Mat& halved)
 {
-    halved.create((mask.rows + 1) / 2, (mask.cols + 1) / 2, CV_8UC1);
+    Mat whole;
+    copyMakeBorder(mask, whole, 0, mask.rows % 2, 0, mask.cols % 2, BORDER_REPLICATE | BORDER_ISOLATED);
+    halved.create(whole.rows / 2, whole.cols / 2, CV_8UC1);
+    const size_t next_row = whole.step;
     for (int y = 0; y < halved.rows; y++)
     {
-        const uchar* upper = mask.ptr(2 * y);
-        const uchar* lower = mask.ptr(std::min(2 * y + 1, mask.rows - 1));
+        const uchar* from = whole.ptr(2 * y);
         uchar* to = halved.ptr(y);
-        for (int x = 0; x < halved.cols; x++)
+        for (int x = 0; x < halved.cols; x++, from += 2)
         {
-            const int left = 2 * x, right = std::min(2 * x + 1, mask.cols - 1);
-            to[x] = upper[left] & upper[right] & lower[left] & lower[right];
+            const int inside = (from[0] & 1) + (from[1] & 1) + (from[next_row] & 1) + (from[next_row + 1] & 1);
+            const bool apart = inside == 3 && ((x > 0 && to[x - 1] && !touch(from - 1, from, next_row)) ||
+                                               (y > 0 && to[x - halved.step] && !touch(from - next_row, from, 1)));
+            to[x] = inside >= 3 && !apart ? 255 : 0;
         }
     }
 }
 
 //! Number of connected components of the pixels that hold no block.
-static int countLost(const Mat& components, int num_components, const Mat& blocks, int level)
+int MaskPyramid::countLost(const Mat& components, const std::vector<Level>& levels, int top)
 {
-    std::vector<bool> kept(num_components, false);
+    const Mat& blocks = levels[top].mask;
+    std::vector<bool> kept(levels[0].components, false);
     for (int y = 0; y < blocks.rows; y++)
         for (int x = 0; x < blocks.cols; x++)
-            if (blocks.at<uchar>(y, x))
-                kept[components.at<int>(y << level, x << level) - 1] = true;
+        {
+            if (!blocks.at<uchar>(y, x))
+                continue;
+            Point p(x, y); // down to a pixel of the block: if its first element is outside, the second one is not
+            for (int i = top; i > 0; i--)
+                p = Point(2 * p.x + !levels[i - 1].mask.at<uchar>(2 * p), 2 * p.y);
+            kept[components.at<int>(p) - 1] = true;
+        }
     return int(std::count(kept.begin(), kept.end(), false));
 }
 
@@ -54,7 +74,7 @@ void MaskPyramid::build(const Mat& mask)
         level.components = connectedComponents(level.mask, components, 4, CV_32S) - 1;
         if (i == 0)
             swap(components, components_of_pixels);
-        level.lost = i == 0 ? 0 : countLost(components_of_pixels, levels[0].components, level.mask, i);
+        level.lost = i == 0 ? 0 : countLost(components_of_pixels, levels, i);
     }
     levels_.swap(levels); // at the end, so that an exception before leaves the old ones
 }

@@ -9,7 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! A mask, and masks of the blocks of 2x2, 4x4... pixels all of whose pixels are inside.
+//! A mask, and masks of the blocks of 2x2, 4x4... pixels, which may have small holes. What is connected in blocks is
+//! connected in pixels, too.
 class MaskPyramid
 {
 public:
@@ -30,6 +31,8 @@ private:
         Mat mask;
         int blocks, components, lost;
     };
+
+    static int countLost(const Mat& components, const std::vector<Level>& levels, int top);
 
     std::vector<Level> levels_;
 };

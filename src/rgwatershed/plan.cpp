@@ -19,7 +19,8 @@ static BlockLevels chooseLevels(Size size, double fewest_blocks, bool centered)
     return pixels;
 }
 
-//! The same for a mask: the blocks must hold most of it, and what they cut off must not take many of the superpixels.
+//! The same for a mask: as many pixels may lie outside of the blocks as there are blocks, and what these cut off must
+//! not take many of the superpixels.
 static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, double fewest_blocks)
 {
     const int num_components = masks.components(0); // these are superpixels in any case
@@ -27,7 +28,7 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     const int most = num_components + (num_others + SUPERPIXELS_FOR_CUT_OFF - 1) / SUPERPIXELS_FOR_CUT_OFF;
     int level = MAX_LEVEL;
     while (level > 0 && (masks.blocks(level) < fewest_blocks ||
-                         (double(masks.blocks(level)) * (1 << 2 * level)) < SHARE_IN_BLOCKS * masks.blocks(0) ||
+                         double(masks.blocks(level)) * ((1 << 2 * level) + 1) < masks.blocks(0) ||
                          masks.components(level) + masks.lost(level) > most))
         level--;
     const BlockLevels levels = { level, 2, false };

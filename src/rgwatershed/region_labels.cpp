@@ -52,14 +52,14 @@ void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
         map.setTo(Scalar(OUTSIDE), mask == 0);
 }
 
-void openUnlabelled(const Mat& mask, Padded<int>& labels)
+void labelInside(const Mat& mask, Padded<int>& labels)
 {
     for (int y = 0; y < mask.rows; y++)
     {
         int* row = labels.row(y);
         const uchar* inside = mask.ptr(y);
         for (int x = 0; x < mask.cols; x++)
-            row[x] = inside[x] && row[x] < 0 ? int(UNSEEN) : row[x];
+            row[x] = !inside[x] ? int(OUTSIDE) : row[x] < 0 ? int(UNSEEN) : row[x];
     }
 }
 

@@ -20,7 +20,7 @@ void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, Size size, P
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
 //! The pixels inside of the mask that have no label become UNSEEN.
-void openUnlabelled(const Mat& mask, Padded<int>& labels);
+void labelInside(const Mat& mask, Padded<int>& labels);
 
 //! Each connected component of UNSEEN pixels becomes a region of its own. Returns the new number of
 //! regions.

@@ -33,7 +33,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const int top = plan.levels.top;
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
-    makePyramid(frame, parameters.lab_input, plan.levels, features_);
+    makePyramid(frame, parameters.lab_input, plan.levels, masks_, features_);
     regions_.surfaces.present = false; // until they are measured, after the flood
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
@@ -187,7 +187,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
         return;
     spreadLabels(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()), features_[level].size(),
                  labels_[level]);
-    openUnlabelled(masks_.mask(level), labels_[level]);
+    labelInside(masks_.mask(level), labels_[level]);
     const int NO_RULER = 0;
     floodFromRegions(features_[level], plan.sweep.distance, NO_RULER, flood_buffers_, labels_[level], regions_);
     if (level > 0)

@@ -15,8 +15,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // merging on all; doc/log.md has the figures.
 
 enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of the last one that is made are flooded
-static const double SHARE_IN_BLOCKS = 0.75;    // of a mask: its blocks hold at least so much of it,
-enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // and cut off one piece for each begun so many superpixels at most
+enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // for each begun so many, blocks may cut off one piece of a mask at most
 static const double REGIONS_WITH_BUFFERS = 0.06; // for each pixel; for more of them, as small superpixels have, buffers
                                                // of merging would be most of the memory: not kept
 enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
