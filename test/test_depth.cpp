@@ -122,4 +122,64 @@ TEST(ximgproc_GWatershed_depth, a_few_near_depths_take_no_levels_from_others)
         }
 }
 
+//! One pixel without an end is no reason to keep levels for what lies between.
+TEST(ximgproc_GWatershed_depth, an_infinite_pixel_takes_no_levels_from_others)
+{
+    const Size size(320, 240);
+    const Mat image(size, CV_8UC3, Scalar::all(120));
+    Mat disc = Mat::zeros(size, CV_8UC1);
+    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    for (const double& step : { 0.005, 0.01, 0.02 })
+        for (const int& side : { 10, 20 })
+        {
+            Mat depth(size, CV_32FC1, Scalar(2));
+            depth.setTo(Scalar(2 * (1 + step)), disc);
+            depth.at<float>(0, 0) = std::numeric_limits<float>::infinity();
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, RGWATERSHED, side);
+            gws->iterate();
+            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+        }
+}
+
+//! As the tutorial says.
+TEST(ximgproc_GWatershed_depth, steps_of_2_percent_become_boundaries)
+{
+    const Size size(320, 240);
+    const Mat image(size, CV_8UC3, Scalar::all(120));
+    Mat disc = Mat::zeros(size, CV_8UC1);
+    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    for (const double& step : { 0.02, 0.05, 0.5 })
+        for (const int& side : { 10, 20, 30 })
+        {
+            Mat depth(size, CV_16UC1, Scalar(1500));
+            depth.setTo(Scalar(1500 * (1 + step)), disc);
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, RGWATERSHED, side);
+            gws->iterate();
+            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+        }
+}
+
+// Levels are those of inverse depth, of which a near end of 0 would take all.
+TEST(ximgproc_GWatershed_depth, a_range_that_begins_at_the_camera_leaves_levels_for_the_rest)
+{
+    const Size size(320, 240);
+    const Mat image(size, CV_8UC3, Scalar::all(120));
+    const Vec2f ranges[] = { Vec2f(0, 4000), Vec2f(0, 8000), Vec2f(1, 4000), Vec2f(100, 4000), Vec2f(500, 4000) };
+    const Vec2f sides[] = { Vec2f(1500, 2500), Vec2f(800, 900), Vec2f(3000, 3300) };
+    Mat left(size, CV_8UC1, Scalar(0));
+    for (int y = 0; y < size.height; y++)
+        left.row(y).colRange(0, size.width / 2 + (y / 2) % 17).setTo(Scalar(255));
+    for (const Vec2f& range : ranges)
+        for (const Vec2f& side : sides)
+            for (double unit : { 1., 0.001 })
+            {
+                Mat depth(size, CV_32FC1, Scalar(side[1] * unit));
+                depth.setTo(Scalar(side[0] * unit), left);
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, 200);
+                gws->setDepthRange(float(range[0] * unit), float(range[1] * unit));
+                gws->iterate(image, depth);
+                EXPECT_GT(purity(labelsOf(gws), 200, left), 0.995) << range << side << unit;
+            }
+}
+
 }} // namespace

@@ -59,11 +59,10 @@ struct LevelRange
     }
 };
 
-//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if fewer than two have, as where
-//! depth is a lattice of single pixels. Four blocks are done at once.
+//! Inverse depths of blocks of 2x2 pixels, of those that have depth; 0 if none has. Four blocks are done at once.
 void invertRows(const float* upper, const float* lower, int blocks, float near_depth, short* inverses)
 {
-    const v_float32x4 scale = v_setall_f32(NEAR_INVERSE * near_depth), one = v_setall_f32(1);
+    const v_float32x4 scale = v_setall_f32(NEAR_INVERSE * near_depth);
     for (int x = 0; x < blocks; x += 4)
     {
         v_float32x4 a, b, c, d;
@@ -73,8 +72,7 @@ void invertRows(const float* upper, const float* lower, int blocks, float near_d
         const v_int32x4 number = add(add(hasDepth(a), hasDepth(b)), add(hasDepth(c), hasDepth(d))); // less than 0
         const v_float32x4 count = v_cvt_f32(subtract(v_setzero_s32(), number));
         const v_float32x4 mean = divide(multiply(scale, count), v_max(sum, v_setall_f32(FLT_MIN)));
-        const v_float32x4 inverse = multiply(mean, v_min(subtract(count, one), one)); // none for less than two
-        v_pack_store(inverses + x, v_trunc(v_min(v_max(inverse, v_setzero_f32()), v_setall_f32(InverseDepths::MOST))));
+        v_pack_store(inverses + x, v_trunc(v_min(mean, v_setall_f32(InverseDepths::MOST))));
     }
 }
 

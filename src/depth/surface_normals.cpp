@@ -159,6 +159,7 @@ void smoothRow(const int* above, const int* row, const int* below, int cols, std
 
 bool findNormals(const Camera& camera, const InverseDepths& inverses, Mat& raw_normals, Mat& normals)
 {
+    const int FEW = 4; // if no more than one in so many blocks with depth has a normal
     const Size blocks = inverses.blocks;
     raw_normals.create(blocks.height + 2, inverses.paddedWidth(), CV_32SC1);
     raw_normals.row(0).setTo(Scalar(0));
@@ -169,7 +170,7 @@ bool findNormals(const Camera& camera, const InverseDepths& inverses, Mat& raw_n
         for (int y = rows.start; y < rows.end; y++)
             finder.findRow(inverses.row(y), inverses.step(), y, raw_normals.ptr<int>(y + 1));
     });
-    if (countNonZero(raw_normals) == 0)
+    if (FEW * countNonZero(raw_normals) <= countNonZero(inverses.buffer))
         return false;
     normals.create(blocks.height, raw_normals.cols, CV_8UC2);
     parallel_for_(Range(0, blocks.height), [&](const Range& rows)

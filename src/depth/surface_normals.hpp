@@ -34,8 +34,8 @@ struct InverseDepths
     Mat buffer;
 };
 
-//! Finds the normals of the blocks, as findSurface() gives them. Returns false if none has one, as where depth is a
-//! lattice of single pixels.
+//! Finds the normals of the blocks, as findSurface() gives them. Returns false if few blocks have one, as where depth
+//! is sparse: a few normals beside many depths are worse than none.
 bool findNormals(const Camera& camera, const InverseDepths& inverses, Mat& raw_normals, Mat& normals);
 
 }}} // namespace
