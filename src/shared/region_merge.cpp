@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "shared/region_merge.hpp"
+#include "shared/mixtures.hpp"
 #include "shared/union_cost.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -33,6 +34,7 @@ void SimilarMerger::expect(int num_regions)
 
 void SimilarMerger::run(int num_regions)
 {
+    prepareContexts(num_regions);
     expect(num_regions);
     while (num_left_ > num_regions && runRound(num_regions, false))
         if (num_left_ > num_regions)
@@ -51,6 +53,8 @@ static int leadingBits(int n)
 std::vector<Vec2i> SimilarMerger::runToTheEnd()
 {
     std::vector<Vec2i> unions;
+    for (const MergePair& pair : prepareContexts(1))
+        unions.push_back(Vec2i(pair.from, pair.to));
     int expected = leadingBits(num_left_);
     expect(expected);
     while (runRound(1, true))
@@ -71,7 +75,7 @@ void SimilarMerger::start()
     const int n = regions_.size();
     b_.records.resize(n);
     b_.parents.resize(n);
-    b_.changed.resize(n);
+    b_.changed.assign(n, 0);
     b_.best.resize(n);
     b_.bands.resize(b_.graph.numBands());
     b_.graph.forBands([&](int k, std::vector<int>&)
@@ -86,10 +90,41 @@ void SimilarMerger::start()
     for (int i = 0; i < n; i++)
         area_ += b_.records[i].area;
     b_.contexts.clear();
-    if (rules_.spread == 0)
-        return;
+}
+
+//! What is nothing but an edge goes first, or it would be a superpixel to the end: its colour is far from those of both
+//! sides. Then wider edges, of several such regions, are narrow ones. Returns what was united, in order.
+std::vector<MergePair> SimilarMerger::uniteMixtures(int num_wanted)
+{
+    CV_TRACE_FUNCTION();
+    const int TIMES = 2;
+    std::vector<MergePair> united;
+    for (int i = 0; i < TIMES; i++)
+    {
+        findMixtures(b_.graph, b_.records, b_.chosen);
+        b_.chosen.resize(std::min(b_.chosen.size(), size_t(std::max(num_left_ - num_wanted, 0))));
+        unite(true);
+        united.insert(united.end(), b_.chosen.begin(), b_.chosen.end());
+        b_.graph.relabel(b_.parents, b_.changed);
+        joinEdges();
+    }
+    return united;
+}
+
+void SimilarMerger::joinEdges()
+{
     b_.graph.forLists([&](int k, std::vector<int>& table) { b_.graph.join(k, table); });
+}
+
+//! What lies around regions, if it counts. Before it spreads, mixtures are united.
+std::vector<MergePair> SimilarMerger::prepareContexts(int num_wanted)
+{
+    if (rules_.spread == 0)
+        return std::vector<MergePair>();
+    joinEdges();
+    const std::vector<MergePair> united = uniteMixtures(num_wanted);
     b_.contexts.spread(b_.records, b_.graph);
+    return united;
 }
 
 //! Returns false if no region has a neighbour.

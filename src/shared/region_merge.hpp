@@ -47,6 +47,9 @@ public:
 
 private:
     void start();
+    std::vector<MergePair> prepareContexts(int num_wanted);
+    std::vector<MergePair> uniteMixtures(int num_wanted);
+    void joinEdges();
     void expect(int num_regions);
     bool runRound(int num_wanted, bool in_order);
     void evaluate();

@@ -204,13 +204,13 @@ public:
     for all numbers are nested, and later calls cost little more than writing labels. Superpixels stay connected.
     Labels keep their order, without gaps. enforceLabelConnectivity() and mergeSmall() start a new order if they merge.
 
-    Cheap pairs merge first, in rounds. The cost of a pair is Ward's criterion @cite Beaulieu1989 with more factors, as
-    a product of powers: the contrast across the common boundary and its length, the textures of both and their
-    directions, lightness, chroma, and the area of the union, which is hardly ever more than 2.9 times the mean. On a
-    slope that both are parts of, all directions cost alike. The distances are those of RGWATERSHED, in its opponent
-    space or in the channels of setLabInput(true), with surfaces if there are any; alpha weighs depth. Where colours are
-    equal, a plan decides: it divides the image into tiles of ten superpixels, and these into halves, to single ones.
-
+    Without depth, superpixels that are nothing but an edge, up to two pixels wide and of a colour between those of
+    both sides, join a side first. Then cheap pairs merge, in rounds. The cost of a pair is Ward's criterion
+    @cite Beaulieu1989 with more factors, as a product of powers: the contrast across the common boundary and its
+    length, the textures of both and their directions, lightness, chroma, what lies around (without depth), and the area
+    of the union, which is hardly ever more than 2.9 times the mean. On a slope that both are parts of, all directions
+    cost alike. Distances are those of RGWATERSHED, with surfaces if there are any; alpha weighs depth. Where colours
+    are equal, a plan decides: the image is divided into tiles of ten superpixels, these into halves, to single ones.
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
 
