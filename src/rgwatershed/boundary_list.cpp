@@ -52,11 +52,7 @@ template <typename Find> void BoundaryList::addRow(int cols, int first, int step
         next[3] = writePositions<1>(table, lower >> 8, pixel + step + 1, next[3]);
     }
     for (int c = 0; c < NUM_CLASSES; c++)
-    {
-        const int last = next[c] == pixels_[c].data() ? first : next[c][-1];
-        std::fill_n(next[c], int(NUM_BEHIND), last);
         ends_[c].push_back(int(next[c] - pixels_[c].data()));
-    }
 }
 
 //! Some bytes of a row from a column on; those behind its end are `rest`.
@@ -70,14 +66,6 @@ static inline v_uint8x16 loadBytes(const uchar* row, int x, int cols, uchar rest
     return v_load(bytes);
 }
 
-template <int BITS> static inline v_uint8x16 rotateLeft(const v_uint8x16& bytes)
-{
-    const v_uint16x8 pairs = v_reinterpret_as_u16(bytes);
-    const uchar low = uchar((1 << BITS) - 1);
-    return v_add_wrap(bitAnd(v_reinterpret_as_u8(v_shl<BITS>(pairs)), v_setall_u8(uchar(~low))),
-                      bitAnd(v_reinterpret_as_u8(v_shr<8 - BITS>(pairs)), v_setall_u8(low)));
-}
-
 //! 1 for bytes that are not 0.
 static inline v_uint8x16 isSome(const v_uint8x16& bytes) { return v_min(bytes, v_setall_u8(1)); }
 
@@ -86,7 +74,11 @@ static inline v_uint8x16 findLeavers(const v_uint8x16& masks)
 {
     const v_uint8x16 four = v_setall_u8(uchar(MaskTable::FOUR_NEIGHBORS)), neighbors = bitAnd(masks, four);
     // Those that the corner before them links to the 4-neighbour before that; the others begin a piece.
-    const v_uint8x16 linked = bitAnd(neighbors, bitAnd(rotateLeft<1>(masks), rotateLeft<2>(masks)));
+    const v_uint8x16 corners = v_add_wrap(masks, masks);
+    // The one before the first is the last, which comes into bit 1.
+    const v_uint8x16 last = v_reinterpret_as_u8(v_shr<6>(v_reinterpret_as_u16(masks)));
+    const v_uint8x16 before = v_add_wrap(v_add_wrap(corners, corners), bitAnd(last, v_setall_u8(2)));
+    const v_uint8x16 linked = bitAnd(neighbors, bitAnd(corners, before));
     const v_uint8x16 pieces = v_sub_wrap(neighbors, linked);
     const v_uint8x16 further = bitAnd(pieces, v_sub_wrap(pieces, v_setall_u8(1))); // all but the lowest bit
     const v_uint8x16 is_one_piece = v_sub_wrap(isSome(pieces), isSome(further));
@@ -110,28 +102,24 @@ void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& l
 
 void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list)
 {
-    const int cols = masks.size().width, num_quads = marks.size().width;
-    const v_uint8x16 upper_classes = v_reinterpret_as_u8(v_setall_u16(0x0201)); // of the pixels of a row
-    const v_uint8x16 lower_classes = v_reinterpret_as_u8(v_setall_u16(0x0804));
+    const int cols = masks.size().width;
     for (int y = rows.start; y < rows.end; y++)
     {
-        uchar* row = marks.row(y);
+        uchar *upper_marks = marks.row(2 * y), *lower_marks = marks.row(2 * y + 1);
         const uchar *upper = masks.row(2 * y), *lower = masks.row(2 * y + 1);
         const int first = masks.index(Point(0, 2 * y));
         list.addRow(cols, first, masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
-            const v_uint8x16 of_quads = loadBytes(row, x / 2, num_quads, 0);
-            v_uint8x16 of_pixels, further;
-            v_zip(of_quads, of_quads, of_pixels, further);
-            in_upper = isSome(bitAnd(of_pixels, upper_classes));
-            in_lower = isSome(bitAnd(of_pixels, lower_classes));
+            in_upper = loadBytes(upper_marks, x, cols, 0);
+            in_lower = loadBytes(lower_marks, x, cols, 0);
             if (toBits(v_max(in_upper, in_lower)))
             {
                 in_upper = v_min(in_upper, findLeavers(loadBytes(upper, x, cols, INTERIOR)));
                 in_lower = v_min(in_lower, findLeavers(loadBytes(lower, x, cols, INTERIOR)));
             }
         });
-        std::fill_n(row, num_quads, uchar(0));
+        std::fill_n(upper_marks, cols, uchar(0));
+        std::fill_n(lower_marks, cols, uchar(0));
     }
 }
 

@@ -18,8 +18,6 @@ enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
 class BoundaryList
 {
 public:
-    enum { NUM_BEHIND = 3 }; //!< as many more can be read behind a part, its last pixel again: four are taken at a time
-
     //! Pixels by their index.
     struct Part
     {

@@ -12,28 +12,25 @@ namespace cv { namespace ximgproc { namespace gws {
 // because each has lists of its own.
 static int countGroups() { return getNumThreads() > 1 ? 2 * getNumThreads() : 1; }
 
-//! The last sweep makes no marks, but counts in quads, too.
+//! The last sweep makes no marks.
 void BoundarySweeper::begin(Size size, bool last)
 {
-    const Size in_quads((size.width + 1) / 2, (size.height + 1) / 2);
     masks_.create(size, uchar(INTERIOR));
-    if (last)
-        marks_.reserve(in_quads);
-    else
-        marks_.create(in_quads, uchar(0));
-}
-
-//! Lists the whole boundary in some rows of quads, which have no marks yet.
-void BoundarySweeper::listAll(const Range& rows, bool last, BoundaryList& list)
-{
     if (!last)
-        for (int row = rows.start; row < rows.end; row++)
-            std::fill_n(marks_.row(row), marks_.size().width, uchar(0));
-    listBoundary(masks_, rows, list);
+        marks_.create(size, uchar(0));
 }
 
 //! The rows of pixels in some rows of quads.
 static Range pixelRows(const Range& rows, int height) { return Range(2 * rows.start, std::min(2 * rows.end, height)); }
+
+//! Lists the whole boundary in some rows of quads, which have no marks yet.
+void BoundarySweeper::listAll(const Range& rows, bool last, BoundaryList& list)
+{
+    const Range pixel_rows = pixelRows(rows, masks_.size().height);
+    for (int y = pixel_rows.start; y < pixel_rows.end && !last; y++)
+        std::fill_n(marks_.row(y), marks_.size().width, uchar(0));
+    listBoundary(masks_, rows, list);
+}
 
 //! Reads the pixels of some rows of quads once, in order, before a sweep reads them here and there: so they come into
 //! the cache faster.
@@ -71,9 +68,9 @@ void BoundarySweeper::sweepAll(int count, const FeatureMap& features, const Swee
     sweepAgain(count - 1, features, rules, labels, regions);
 }
 
-void BoundarySweeper::sweepBlocks(int count, const Padded<int>& blocks, const BlockGrid& grid,
-                                  const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
-                                  Regions& regions)
+void BoundarySweeper::sweepBlocks(int count, const BoundarySweeper& of_blocks, const Padded<int>& blocks,
+                                  const BlockGrid& grid, const FeatureMap& features, const SweepRules& rules,
+                                  Padded<int>& labels, Regions& regions)
 {
     const SweepRules first = rulesOfOne(rules, count - 1);
     begin(features.size(), first.last);
@@ -82,7 +79,7 @@ void BoundarySweeper::sweepBlocks(int count, const Padded<int>& blocks, const Bl
     {
         const Range pixel_rows = pixelRows(rows, labels.size().height);
         spreadLabels(blocks, grid, pixel_rows, labels);
-        findMasksInBlocks(blocks, grid, pixel_rows, masks_);
+        findMasksInBlocks(of_blocks.masks_, grid, pixel_rows, masks_);
         listAll(rows, first.last, list);
     }, features, first, labels, regions);
     sweepAgain(count - 1, features, rules, labels, regions);
@@ -113,7 +110,9 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
         updateRegions(features, rules.guard, regions);
 }
 
-int BoundarySweeper::numBands() const { return (marks_.size().height + BAND_HEIGHT - 1) / BAND_HEIGHT; }
+int BoundarySweeper::numQuadRows() const { return (masks_.size().height + 1) / 2; }
+
+int BoundarySweeper::numBands() const { return (numQuadRows() + BAND_HEIGHT - 1) / BAND_HEIGHT; }
 
 //! First the groups, at the same time, then what is left between them.
 void BoundarySweeper::sweepGroups(const List& list, const WaveTables& tables)
@@ -138,10 +137,10 @@ void BoundarySweeper::sweepGroups(const List& list, const WaveTables& tables)
 
 void BoundarySweeper::sweepWithin(int band, const List& list, const WaveTables& tables)
 {
-    const int height = marks_.size().height;
+    const int height = numQuadRows(), width = (masks_.size().width + 1) / 2;
     const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
     BoundaryList& of_band = lists_.of(band);
-    of_band.begin(rows.start, size_t(rows.size()) * marks_.size().width);
+    of_band.begin(rows.start, size_t(rows.size()) * width);
     list(rows, of_band);
     readAhead(tables.features, rows);
     runWave(tables, ClassRows::within(rows, height), moves_[band]);
@@ -150,7 +149,7 @@ void BoundarySweeper::sweepWithin(int band, const List& list, const WaveTables& 
 //! What is left between a band and the one above it, when both are done.
 void BoundarySweeper::sweepAbove(int band, const WaveTables& tables)
 {
-    runWave(tables, ClassRows::between(band * BAND_HEIGHT, marks_.size().height), moves_[numBands() + band - 1]);
+    runWave(tables, ClassRows::between(band * BAND_HEIGHT, numQuadRows()), moves_[numBands() + band - 1]);
 }
 
 //! In stripes, of which each reads all moves.

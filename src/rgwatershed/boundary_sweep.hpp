@@ -24,9 +24,9 @@ public:
     void sweepAll(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                   Regions& regions);
 
-    //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first.
-    void sweepBlocks(int count, const Padded<int>& blocks, const BlockGrid& grid, const FeatureMap& features,
-                     const SweepRules& rules, Padded<int>& labels, Regions& regions);
+    //! The same for labels that become those of blocks of 2x2 or 3x3 pixels first, which were swept just before.
+    void sweepBlocks(int count, const BoundarySweeper& of_blocks, const Padded<int>& blocks, const BlockGrid& grid,
+                     const FeatureMap& features, const SweepRules& rules, Padded<int>& labels, Regions& regions);
 
     //! Sweeps around the pixels that moved in the sweep before, of the same labels: count times, or until none does.
     void sweepAgain(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
@@ -43,6 +43,7 @@ private:
     void listAll(const Range& rows, bool last, BoundaryList& list);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
+    int numQuadRows() const;
     int numBands() const;
     void sweepGroups(const List& list, const WaveTables& tables);
     void sweepWithin(int band, const List& list, const WaveTables& tables);
@@ -52,7 +53,7 @@ private:
                        Regions& regions) const;
 
     Padded<uchar> masks_;      // of the neighbours with the same label, by pixel
-    Padded<uchar> marks_;      // of the classes that touch a move, by quad
+    Padded<uchar> marks_;      // 1 for pixels that moved, and for their 4-neighbours
     BandLists lists_;
     std::vector<Moves> moves_; // within bands, then between them
     bool moved_ = false;

@@ -29,7 +29,7 @@ public:
     Wave(const WaveTables& t, Moves& moves)
         : table_(maskTable()), choice_(t.choice), features_(t.features.data()), rules_(t.rules),
           all_permitted_(rules_.markers.empty() && !rules_.guard), sums_(t.regions.sums.data()), labels_(t.labels),
-          masks_(t.masks), marks_(t.marks), lists_(t.lists), moves_(moves), marks_step_(marks_.step())
+          masks_(t.masks), marks_(t.marks), lists_(t.lists), moves_(moves)
     {
     }
 
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    enum { ROWS_AT_ONCE = 8 }; // of quads: a row alone has few pixels, and each loop ends with a branch
+    enum { ROWS_AT_ONCE = 16 }; // of quads: a row alone has few pixels, and each loop ends with a branch
 
     void sweepRows(int c, const Range& rows)
     {
@@ -55,32 +55,22 @@ private:
         {
             const int band = row / BAND_HEIGHT;
             end = std::min(rows.end, (band + 1) * BAND_HEIGHT);
-            sweepPart(c, row, lists_.of(band).part(c, Range(row, end)));
+            sweepPart(2 * row + (c >> 1), lists_.of(band).part(c, Range(row, end)));
         }
     }
 
-    //! The pixels of a class in rows of quads from one on.
-    void sweepPart(int c, int row, const BoundaryList::Part& part)
+    //! Pixels of a class. If places are needed, all lie in row y.
+    void sweepPart(int y, const BoundaryList::Part& part)
     {
-        Point p(0, 2 * row + (c >> 1));
-        int left = labels_.index(p);
-        uchar* marks = marks_.row(row);
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
             const int count = std::min<int>(part.count - first, RegionChoice::BATCH);
-            const int n = choice_.findGains(part.pixels + first, count, p.y, gains);
+            const int n = choice_.findGains(part.pixels + first, count, y, gains);
             for (int i = 0; i < n; i++)
-            {
-                for (; gains[i].pixel - left >= labels_.step(); p.y += 2)
-                {
-                    left += 2 * labels_.step();
-                    marks += marks_step_;
-                }
-                p.x = gains[i].pixel - left;
-                if (sums_[gains[i].region].area <= rules_.most_area && (all_permitted_ || permits(p, gains[i].region)))
-                    move(c, marks + p.x / 2, gains[i]);
-            }
+                if (sums_[gains[i].region].area <= rules_.most_area &&
+                    (all_permitted_ || permits(labels_.point(gains[i].pixel), gains[i].region)))
+                    move(gains[i]);
         }
     }
 
@@ -90,15 +80,14 @@ private:
                (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
     }
 
-    //! mark is that of the quad of the pixel.
-    void move(int c, uchar* mark, const RegionChoice::Gain& to)
+    void move(const RegionChoice::Gain& to)
     {
         int& label = labels_.data()[to.pixel];
         if (!rules_.last)
         {
             const Move made = { to.pixel, label, to.region, features_[to.pixel] };
             moves_.add(made);
-            markAround(c, mark);
+            markAround(marks_.data() + to.pixel);
         }
         label = to.region;
         changeMasks(masks_.data() + to.pixel, to.mask);
@@ -120,12 +109,10 @@ private:
         *mask = uchar(own_mask);
     }
 
-    //! Marks the pixel of a move and its 4-neighbours. Two of these lie in its quad, the others beside that.
-    void markAround(int c, uchar* mark)
+    //! Marks the pixel of a move and its 4-neighbours.
+    void markAround(uchar* mark)
     {
-        mark[0] |= uchar(ALL_CLASSES & ~(1 << (3 - c)));
-        mark[c & 1 ? 1 : -1] |= uchar(1 << (c ^ 1));
-        mark[c & 2 ? marks_step_ : -marks_step_] |= uchar(1 << (c ^ 2));
+        mark[0] = mark[-1] = mark[1] = mark[-marks_.step()] = mark[marks_.step()] = 1;
     }
 
     const MaskTable& table_;
@@ -139,7 +126,6 @@ private:
     Padded<uchar>& marks_;
     BandLists& lists_;
     Moves& moves_;
-    const int marks_step_;
 };
 
 } // namespace

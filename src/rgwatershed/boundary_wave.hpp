@@ -15,7 +15,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // before its own, moved, and those after it, not yet. So a row of a class comes when the rows above and below it have
 // had the classes before; and near to another band the rows are left out whose neighbours may lie there. They come when
 // both bands are done. So the result is that of one class after another.
-// The same holds for what a move writes: the masks of its neighbours and the marks of their quads.
+// The same holds for what a move writes: the masks and the marks of its neighbours.
 
 enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
 

@@ -38,19 +38,20 @@ static void findMasksOfRow(const int* row, int step, int n, uchar* masks)
 
 static const int DX[8] = { -1, 0, 1, 1, 1, 0, -1, -1 }, DY[8] = { -1, -1, -1, 0, 1, 1, 1, 0 };
 
-//! Each neighbour of a pixel lies in its block or in one of the neighbours of that.
-static uchar findMaskInBlock(int side, int block_mask, int x, int y)
+//! Each neighbour of a pixel lies in its block or in one of the neighbours of that: clockwise the same, the next
+//! one, or the one before.
+static MaskTable::InBlock findInBlock(int side, int x, int y)
 {
-    int mask = 0;
+    MaskTable::InBlock result = { 0, 0, 0, 0 };
     for (int k = 0; k < 8; k++)
     {
         const int block_x = (x + DX[k] + side) / side - 1, block_y = (y + DY[k] + side) / side - 1;
-        bool same = block_x == 0 && block_y == 0;
-        for (int j = 0; j < 8 && !same; j++)
-            same = DX[j] == block_x && DY[j] == block_y && ((block_mask >> j) & 1);
-        mask |= same << k;
+        const auto isIn = [&](int j) { return DX[j & 7] == block_x && DY[j & 7] == block_y; };
+        uchar& bits = isIn(k) ? result.as_it_is
+                    : isIn(k + 7) ? result.left : isIn(k + 1) ? result.right : result.inside;
+        bits |= uchar(1 << k);
     }
-    return uchar(mask);
+    return result;
 }
 
 MaskTable::MaskTable() : of_windows_(), in_block_(), changes_()
@@ -82,10 +83,9 @@ MaskTable::MaskTable() : of_windows_(), in_block_(), changes_()
             changes_[mask][1 + DY[k]][1 + DX[k] + (DY[k] == 1)] = uchar(((mask >> k) & 1) << ((k + 4) & 7));
     }
     for (int side = 2; side <= 3; side++)
-        for (int mask = 0; mask < 256; mask++)
-            for (int y = 0; y < side; y++)
-                for (int x = 0; x < side; x++)
-                    in_block_[side - 2][y][mask].masks[x] = findMaskInBlock(side, mask, x, y);
+        for (int y = 0; y < side; y++)
+            for (int x = 0; x < side; x++)
+                in_block_[side - 2][y][x] = findInBlock(side, x, y);
 }
 
 const MaskTable& maskTable()
@@ -107,14 +107,39 @@ void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& mask
     }
 }
 
-//! The masks in row i of a row of whole blocks. Behind the line is room for four more.
-static void fillLine(const std::vector<uchar>& masks_of_blocks, int side, int i, uchar* line)
+enum { BLOCKS_AT_ONCE = 16 };
+
+template <int BITS> static inline v_uint8x16 rotateLeft(const v_uint8x16& bytes)
 {
-    const MaskTable::BlockRow* const rows_of_blocks = maskTable().rowsOfBlocks(side, i);
-    const int width = int(masks_of_blocks.size());
-    const uchar* const of_blocks = masks_of_blocks.data();
-    for (int x = 0; x < width; x++, line += side) // of each 4 bytes the next ones overwrite those beyond the block
-        memcpy(line, rows_of_blocks + of_blocks[x], sizeof(MaskTable::BlockRow));
+    const v_uint16x8 pairs = v_reinterpret_as_u16(bytes);
+    const uchar low = uchar((1 << BITS) - 1);
+    return v_add_wrap(bitAnd(v_reinterpret_as_u8(v_shl<BITS>(pairs)), v_setall_u8(uchar(~low))),
+                      bitAnd(v_reinterpret_as_u8(v_shr<8 - BITS>(pairs)), v_setall_u8(low)));
+}
+
+//! The masks of the pixels at a place in some blocks.
+static inline v_uint8x16 findInBlocks(const v_uint8x16& masks, const MaskTable::InBlock& of)
+{
+    const v_uint8x16 left = bitAnd(rotateLeft<1>(masks), v_setall_u8(of.left));
+    const v_uint8x16 right = bitAnd(rotateLeft<7>(masks), v_setall_u8(of.right));
+    return v_add_wrap(v_add_wrap(bitAnd(masks, v_setall_u8(of.as_it_is)), v_setall_u8(of.inside)),
+                      v_add_wrap(left, right));
+}
+
+//! The masks in row y of a row of whole blocks. Behind the blocks and the line is room for some more blocks.
+static void fillLine(const std::vector<uchar>& masks_of_blocks, int count, int side, int y, uchar* line)
+{
+    const MaskTable::InBlock first = maskTable().inBlock(side, 0, y), second = maskTable().inBlock(side, 1, y);
+    const MaskTable::InBlock third = maskTable().inBlock(side, side - 1, y);
+    for (int i = 0; i < count; i += BLOCKS_AT_ONCE, line += side * BLOCKS_AT_ONCE)
+    {
+        const v_uint8x16 masks = v_load(masks_of_blocks.data() + i);
+        const v_uint8x16 left = findInBlocks(masks, first), middle = findInBlocks(masks, second);
+        if (side == 2)
+            v_store_interleave(line, left, middle);
+        else
+            v_store_interleave(line, left, middle, findInBlocks(masks, third));
+    }
 }
 
 //! A mask that has some bits of another one.
@@ -122,23 +147,23 @@ static inline uchar putBits(uchar mask, uchar other, uchar bits) { return uchar(
 
 //! The last row of a short block has the neighbours below that the last row of a whole one would have. The same holds
 //! for columns.
-void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks)
+void findMasksInBlocks(const Padded<uchar>& of_blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks)
 {
     const uchar RIGHT = 0x1C, BELOW = 0x70;
     const BlockAxis& columns = grid.columns;
     const int side = grid.side, width = columns.count, next = columns.short_block + 1, end = columns.start(next);
-    std::vector<uchar> masks_of_blocks(width);
-    std::vector<uchar> line(side * width + 4), last_line(side * width + 4);
+    const size_t room = width + BLOCKS_AT_ONCE;
+    std::vector<uchar> masks_of_blocks(room), line(side * room), last_line(side * room);
     for (int y = rows.start, known = -1; y < rows.end; y++)
     {
         const int block = grid.rows.blockOf(y), i = y - grid.rows.start(block);
         if (block != known)
-            findMasksOfRow(blocks.row(block), blocks.step(), width, masks_of_blocks.data());
+            std::copy_n(of_blocks.row(block), width, masks_of_blocks.data());
         known = block;
-        fillLine(masks_of_blocks, side, i, line.data());
+        fillLine(masks_of_blocks, width, side, i, line.data());
         if (y + 1 == grid.rows.start(block + 1) && i + 1 < side)
         {
-            fillLine(masks_of_blocks, side, side - 1, last_line.data());
+            fillLine(masks_of_blocks, width, side, side - 1, last_line.data());
             for (int x = 0; x < side * width; x++)
                 line[x] = putBits(line[x], last_line[x], BELOW);
         }

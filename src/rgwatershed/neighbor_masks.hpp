@@ -50,14 +50,15 @@ public:
     //! Whether three of the 4-neighbours are not in the mask.
     bool isTip(int mask) const { return is_tip_[mask]; }
 
-    //! Masks of the pixels in a row of a block; the last byte is unused.
-    struct BlockRow
+    //! How the mask of a pixel in a block follows from that of the block: `inside` are neighbours in the block. Others
+    //! have bits of the block's mask: as they are, rotated to the left by one, or to the right.
+    struct InBlock
     {
-        uchar masks[4];
+        uchar inside, as_it_is, left, right;
     };
 
-    //! For all masks of a block of 2x2 or 3x3 pixels, which has a side: one of its rows.
-    const BlockRow* rowsOfBlocks(int side, int row) const { return in_block_[side - 2][row]; }
+    //! Of a pixel at a place in a block of 2x2 or 3x3 pixels, which has a side.
+    const InBlock& inBlock(int side, int x, int y) const { return in_block_[side - 2][y][x]; }
 
     //! What changes in the masks of the neighbours if the pixel in the middle changes its label, and the neighbours of
     //! the mask have the old or the new one: 4 bytes for each row. One too many, 0, is the last, or below the first.
@@ -66,7 +67,7 @@ public:
 private:
     uchar of_windows_[4096]; // by the upper, the middle and the lower four labels that are the same
     uchar can_leave_[256], agreement_[256], first_[256], last_[256], is_tip_[256];
-    BlockRow in_block_[2][3][256];
+    InBlock in_block_[2][3][3];
     uchar changes_[256][3][4];
 };
 
@@ -75,8 +76,9 @@ const MaskTable& maskTable();
 //! For each pixel the mask of its neighbours with its own label, INTERIOR where there is no label.
 void findMasks(const Padded<int>& labels, const Range& rows, Padded<uchar>& masks);
 
-//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels. None is without a label.
-void findMasksInBlocks(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks);
+//! The same where pixels have the labels of blocks of 2x2 or 3x3 pixels, from the masks of the blocks. None is without
+//! a label.
+void findMasksInBlocks(const Padded<uchar>& of_blocks, const BlockGrid& grid, const Range& rows, Padded<uchar>& masks);
 
 }}} // namespace
 

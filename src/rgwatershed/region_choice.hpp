@@ -15,7 +15,7 @@ namespace cv { namespace ximgproc { namespace gws {
 class RegionChoice
 {
 public:
-    enum { BATCH = 256 };
+    enum { BATCH = 512 };
 
     //! A pixel that is better off in another region, and the mask of its neighbours that are in that.
     struct Gain
@@ -31,57 +31,39 @@ public:
     bool needsPlaces() const { return distance_.with_surfaces; }
 
     //! Of up to BATCH pixels, all of row y if places are needed, finds those that are better off in the region of a
-    //! 4-neighbour, and the best one for each. Returns how many. Pixels that cannot leave are none of them. Behind the
-    //! last pixel are three more to read.
+    //! 4-neighbour, and the best one for each, in any order. Returns how many. Pixels that cannot leave are none of
+    //! them.
     int findGains(const int* pixels, int n, int y, Gain* gains) const;
 
 private:
-    //! Pixels that another region may win. Behind the last one is room for some more: four are measured at a time.
-    struct OpenPixels
+    enum { ALWAYS = 1 << 30 }; // above all squares
+
+    //! A pixel that another region may win.
+    struct OpenPixel
     {
-        enum { NUM_BEHIND = 3, ROOM = BATCH + NUM_BEHIND };
-        int count;
-        int indices[ROOM];
-        int slack[ROOM]; // squared distance below which a region wins that has all neighbours but those of its own
-        int first[ROOM]; // square of the distance to the region of the first 4-neighbour that is not in its own
-        int last[ROOM];  // the same of the last one
+        int index;
+        int slack;  // squared distance below which a region wins that has all neighbours but those of its own
+        int square; // of the distance to the region of the first 4-neighbour that is not in its own
     };
 
     //! The best choice of a pixel so far.
     struct Choice
     {
-        int region, mask, energy, seen; // seen: neighbours in regions that were looked at
-
-        bool seesAll() const { return (~seen & MaskTable::FOUR_NEIGHBORS) == 0; }
-    };
-
-    //! Those of the open pixels, and which of them have more regions beside them than were looked at.
-    struct Choices
-    {
-        int num_unfinished;
-        int unfinished[BATCH];
-        Choice of[BATCH];
+        Gain gain;
+        int energy, unseen; // unseen: 4-neighbours in regions that were not looked at, as a mask
     };
 
     //! What distances are made of: colour, and the depth of the region, its plane, or its plane and its normal.
     enum Content { COLOR, DEPTH, PLANE, SURFACE };
 
-    template <Content CONTENT> void findOpen(const int* pixels, int n, int y, OpenPixels& open) const;
-    template <Content CONTENT> void keepDistant(const int* pixels, int n, int y, OpenPixels& open) const;
-    template <Content CONTENT> void keepNearFirst(int y, OpenPixels& open) const;
-    template <Content CONTENT> void keepNearLast(int y, OpenPixels& open) const;
-    template <Content CONTENT, typename RegionOf>
-    void measure(const int* pixels, int n, int y, const RegionOf& regionOf, int* squares) const;
-
-    int neighborOf(int pixel, const int* offsets) const;
+    template <Content CONTENT> int findGains(const int* pixels, int n, int y, Gain* gains) const;
+    template <Content CONTENT> int keepDistant(const int* pixels, int n, int y, OpenPixel* open) const;
+    template <Content CONTENT> int keepNear(int n, int y, OpenPixel* open) const;
+    template <Content CONTENT, typename To, typename PixelOf, typename RegionOf, typename Take>
+    int measure(int n, int y, To* to, const PixelOf& pixelOf, const RegionOf& regionOf, const Take& take) const;
 
     int squaredDistance(int pixel, int y, int region) const;
-
-    void compareFirst(const OpenPixels& open, Choices& choices) const;
-    void compareOthers(const OpenPixels& open, int y, Choices& choices) const;
-
-    //! Takes the region of the first 4-neighbour that was not seen, if it is better.
-    void compare(int pixel, int square, Choice& choice) const;
+    void compare(int square, Choice& choice) const;
 
     const MaskTable& table_;
     const Feature* const features_;
@@ -95,7 +77,7 @@ private:
     // By mask of the neighbours that agree:
     int savings_[256];                           // of energy
     int bounds_[256];                            // square of its own distance above which another region may win
-    int first_offsets_[256], last_offsets_[256]; // of the 4-neighbours that do not agree
+    int first_others_[256], last_others_[256]; // of the 4-neighbours that do not agree
 };
 
 }}} // namespace

@@ -169,7 +169,7 @@ void RGWatershed::settle(const Frame& frame, const Plan& plan, int num_iteration
         if (level < top)
             descend(frame, plan, level);
         if (level < top && frame.mask.empty())
-            sweepers_[level].sweepBlocks(num_sweeps, labels_[level + 1],
+            sweepers_[level].sweepBlocks(num_sweeps, sweepers_[level + 1], labels_[level + 1],
                                          plan.levels.grid(level + 1, frame.color.size()), features_[level], rules,
                                          labels_[level], regions_);
         else

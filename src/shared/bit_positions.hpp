@@ -17,10 +17,11 @@ struct BitPositions
         for (int bits = 0; bits < 256; bits++)
             for (int i = 0; i < 8; i++)
                 if ((bits >> i) & 1)
-                    positions[bits][counts[bits]++] = uchar(i);
+                    positions[bits][counts[bits]++] = unsigned(i);
     }
 
-    uchar positions[256][8], counts[256];
+    unsigned positions[256][8];
+    uchar counts[256];
 };
 
 inline const BitPositions& bitPositions()
@@ -34,9 +35,9 @@ inline const BitPositions& bitPositions()
 template <int SHIFT> inline int* writePositions(const BitPositions& table, unsigned bits, int first, int* to)
 {
     const v_uint32x4 start = v_setall_u32(unsigned(first));
-    const uchar* positions = table.positions[bits];
-    v_store(reinterpret_cast<unsigned*>(to), add(start, v_shl<SHIFT>(v_load_expand_q(positions))));
-    v_store(reinterpret_cast<unsigned*>(to + 4), add(start, v_shl<SHIFT>(v_load_expand_q(positions + 4))));
+    const unsigned* positions = table.positions[bits];
+    v_store(reinterpret_cast<unsigned*>(to), add(start, v_shl<SHIFT>(v_load(positions))));
+    v_store(reinterpret_cast<unsigned*>(to + 4), add(start, v_shl<SHIFT>(v_load(positions + 4))));
     return to + table.counts[bits];
 }
 
