@@ -145,6 +145,7 @@ static double compactnessOfNewPatch(double slope_x, double slope_y)
     const Rect patch(90, 60, 140, 120);
     const Mat plane = makePlane(900, slope_x, slope_y);
     Mat image = gray();
+    image.rowRange(0, 30).setTo(Scalar(200, 160, 60)); // after an even frame all would start again
     Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 100);
     gws->setFocalLength(FOCAL);
     gws->setDepthRange(300, 9000);

@@ -207,6 +207,25 @@ TEST(ximgproc_SuperpixelGWatershed, starts_again_after_noise)
 }
 
 //! Blocks that do not fill the image are in the middle or, where there are normals, at the end.
+// An even frame has regions, but no reason for them.
+TEST(ximgproc_SuperpixelGWatershed, starts_again_after_an_even_frame)
+{
+    const Size size(200, 150);
+    double with = 0, without = 0;
+    for (int i = 0; i < 6; i++)
+    {
+        Mat dim;
+        paintCells(makeCells(size, 200, theRNG()), 200, theRNG()).convertTo(dim, CV_8U, 0.15, 100);
+        Ptr<SuperpixelGWatershed> gws = createTemporal(size, RGWATERSHED, 100);
+        gws->iterate(Mat(size, CV_8UC3, Scalar::all(120)));
+        for (int k = 0; k < 3; k++)
+            gws->iterate(dim);
+        with += explainedVariation(labelsOf(gws), dim) / 6;
+        without += explainedVariation(segmentAnew(dim, RGWATERSHED, 100), dim) / 6;
+    }
+    EXPECT_GT(with, without - 0.001);
+}
+
 TEST(ximgproc_SuperpixelGWatershed, starts_again_where_depth_moves_short_blocks)
 {
     for (const Size& size : { Size(161, 120), Size(160, 121), Size(160, 120) })

@@ -119,14 +119,15 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
     Change change = findChange(errors, regions);
     const double squares = sumOfSquares(features, labels);
     const Variation before = last_.variation, now = variationOf(squares, regions);
+    const double even = ERROR_FLOOR * change.area; // so little variation, and colours tell nothing of regions
     const bool was_noise = plan.sweep.distance.shareOfColor(FULL_WEIGHT) > 0 &&
-                           before.left * now.all > ERROR_GROWTH * now.left * before.all +
-                                                   ERROR_FLOOR * change.area * now.all;
-    if (change.changed_area > change.area / 2 || was_noise)
+                           before.left * now.all > ERROR_GROWTH * now.left * before.all + even * now.all;
+    const bool was_even = !plan.sweep.distance.with_depth && before.all <= even && now.all > even;
+    if (change.changed_area > change.area / 2 || was_noise || was_even)
         return false;
     if (change.changed_area > 0)
         replaceChanged(plan, pyramid, mask, merge_buffers, change, labels, regions);
-    if (now.all > ERROR_FLOOR * change.area) // else the frame is even, and tells nothing of its regions
+    if (now.all > even)
         last_.variation = variationOf(squares, regions);
     return true;
 }

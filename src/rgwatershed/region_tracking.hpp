@@ -27,7 +27,7 @@ public:
     //! The regions of the last frame, moved to where their things are now. Regions that explain the image much worse
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with
     //! labels and regions that are of no use, if most of the scene is new, if the last frame was mere noise beside this
-    //! one, or if other blocks were flooded.
+    //! one, if it was even, or if other blocks were flooded.
     bool track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions);
 
