@@ -28,11 +28,12 @@ static void halveMask(const Mat& mask, Mat& halved)
     {
         const uchar* from = whole.ptr(2 * y);
         uchar* to = halved.ptr(y);
+        const uchar* above = halved.ptr(std::max(y - 1, 0));
         for (int x = 0; x < halved.cols; x++, from += 2)
         {
             const int inside = (from[0] & 1) + (from[1] & 1) + (from[next_row] & 1) + (from[next_row + 1] & 1);
             const bool apart = inside == 3 && ((x > 0 && to[x - 1] && !touch(from - 1, from, next_row)) ||
-                                               (y > 0 && to[x - halved.step] && !touch(from - next_row, from, 1)));
+                                               (y > 0 && above[x] && !touch(from - next_row, from, 1)));
             to[x] = inside >= 3 && !apart ? 255 : 0;
         }
     }
