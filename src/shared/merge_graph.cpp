@@ -9,18 +9,20 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The upper bits are those to use.
-static inline unsigned hashOf(const MergeEdge& edge)
+static inline unsigned hashOf(int a, int b)
 {
-    return unsigned(edge.a) * 0x9E3779B1u ^ unsigned(edge.b) * 0x85EBCA77u;
+    return unsigned(a) * 0x9E3779B1u ^ unsigned(b) * 0x85EBCA77u;
 }
 
 void EdgeBuilder::start(int cols, bool joins_rows)
 {
     joins_rows_ = joins_rows;
     edges_.count = 0;
+    edges_.reserve(1);
+    edges_.edges[0] = { -1, -1, 0, 0, 0 }; // between no regions, for the first search
     positions_.resize(cols + NUM_BEHIND);
     contrasts_.resize(cols + NUM_BEHIND);
-    latest_.resize(1 << LATEST_BITS);
+    latest_.assign(1 << LATEST_BITS, 0);
 }
 
 //! Of the pixels at the positions, four at a time.
@@ -65,25 +67,28 @@ void EdgeBuilder::addRow(const int* row, const int* other, int count)
     edges_.count = num_edges + size_t(1 & ~(last.a >> 31));
 }
 
-//! Joins the edges from one on with those of the rows above, where most are between the same regions.
-void EdgeBuilder::joinRow(size_t first)
+//! Adds each to the edge between the same regions that was found last, here or in the rows above: most have one.
+void EdgeBuilder::joinRow(const int* row, const int* other, int count)
 {
+    const int *positions = positions_.data(), *contrasts = contrasts_.data();
     MergeEdge* const edges = edges_.edges.data();
-    size_t* const latest = latest_.data();
-    size_t num_edges = first;
-    for (size_t i = first; i < edges_.count; i++)
+    int* const latest = latest_.data();
+    size_t num_edges = edges_.count;
+    for (int i = 0; i < count; i++)
     {
-        const MergeEdge edge = edges[i];
-        size_t& place = latest[hashOf(edge) >> (32 - LATEST_BITS)];
-        MergeEdge& known = edges[std::min(place, num_edges)];
-        if ((place < num_edges) & isBetween(known, edge.a, edge.b))
-        {
-            known.length += edge.length;
-            known.contrast += edge.contrast;
+        const int label = row[positions[i]], neighbor = other[positions[i]];
+        const int a = lowerOf(label, neighbor), b = label ^ neighbor ^ a;
+        if (a < 0)
             continue;
+        int& place = latest[hashOf(a, b) >> (32 - LATEST_BITS)];
+        if (!isBetween(edges[place], a, b))
+        {
+            const MergeEdge edge = { a, b, 0, 0, 0 };
+            place = int(num_edges);
+            edges[num_edges++] = edge;
         }
-        edges[num_edges] = edge;
-        place = num_edges++;
+        edges[place].length++;
+        edges[place].contrast += contrasts[i];
     }
     edges_.count = num_edges;
 }
@@ -98,10 +103,10 @@ void EdgeBuilder::add(const int* row, const int* other, const Feature* features,
     else
         measureContrasts<false>(features, other_features, count, distance);
     edges_.reserve(edges_.count + count);
-    const size_t first = edges_.count;
-    addRow(row, other, count);
     if (joins_rows_)
-        joinRow(first);
+        joinRow(row, other, count);
+    else
+        addRow(row, other, count);
 }
 
 static void listEdges(const Mat& labels, const Range& rows, const Padded<Feature>& features,
@@ -258,7 +263,7 @@ static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edge
         const int a = edge->a, b = edge->b;
         const MergeEdge ready = { a, b, 0, 0, 0 };
         edges[count] = ready;
-        unsigned slot = hashOf(*edge) >> (32 - bits);
+        unsigned slot = hashOf(a, b) >> (32 - bits);
         int to = lowerOf(table[slot], count);
         while (!isBetween(edges[to], a, b)) // seldom
         {

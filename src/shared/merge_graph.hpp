@@ -65,12 +65,12 @@ private:
     template <bool WITH_DEPTH>
     void measureContrasts(const Feature* features, const Feature* others, int count, const RegionDistance& distance);
     void addRow(const int* row, const int* other, int count);
-    void joinRow(size_t first);
+    void joinRow(const int* row, const int* other, int count);
 
     bool joins_rows_ = false;
     EdgeList edges_;
     std::vector<int> positions_, contrasts_; // in a row, with room behind them
-    std::vector<size_t> latest_; // for each pair of labels, but shared by many: where an edge between them may be
+    std::vector<int> latest_; // for each pair of labels, but shared by many: where an edge between them may be
 };
 
 //! The regions of a label map and the edges between them, while regions are united. Regions lie in bands of consecutive

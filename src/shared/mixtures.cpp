@@ -45,21 +45,36 @@ enum { NONE = -1 };
 
 } // namespace
 
-static std::vector<Sides> findSides(MergeGraph& graph, int num_regions)
+//! Calls body(edge) for all edges of a graph.
+template <typename Body> static void forEdges(MergeGraph& graph, const Body& body)
 {
-    const Side no_side = { NONE, 0 };
-    const Sides none = { no_side, no_side };
-    std::vector<Sides> sides(num_regions, none);
     for (int k = 0; k <= graph.numBands(); k++)
     {
         const EdgeList& list = graph.edges(k);
         for (size_t i = 0; i < list.count; i++)
-        {
-            const MergeEdge& edge = list.edges[i];
-            sides[edge.a].add({ edge.b, edge.length });
-            sides[edge.b].add({ edge.a, edge.length });
-        }
+            body(list.edges[i]);
     }
+}
+
+//! Those of narrow regions; of others, which have more pixels than neighbours beside them, none.
+static std::vector<Sides> findSides(MergeGraph& graph, const std::vector<MergeRegion>& records)
+{
+    std::vector<int> perimeters(records.size(), 0);
+    forEdges(graph, [&](const MergeEdge& edge)
+    {
+        perimeters[edge.a] += edge.length;
+        perimeters[edge.b] += edge.length;
+    });
+    const Side no_side = { NONE, 0 };
+    const Sides none = { no_side, no_side };
+    std::vector<Sides> sides(records.size(), none);
+    forEdges(graph, [&](const MergeEdge& edge)
+    {
+        if (records[edge.a].area <= float(perimeters[edge.a]))
+            sides[edge.a].add({ edge.b, edge.length });
+        if (records[edge.b].area <= float(perimeters[edge.b]))
+            sides[edge.b].add({ edge.a, edge.length });
+    });
     return sides;
 }
 
@@ -93,7 +108,7 @@ static Mixture mixtureOf(int region, const Sides& sides, const std::vector<Merge
 void findMixtures(MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs)
 {
     const int n = int(records.size());
-    const std::vector<Sides> sides = findSides(graph, n);
+    const std::vector<Sides> sides = findSides(graph, records);
     std::vector<Mixture> mixtures(n);
     for (int i = 0; i < n; i++)
         mixtures[i] = mixtureOf(i, sides[i], records);

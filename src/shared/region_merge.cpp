@@ -103,6 +103,8 @@ std::vector<MergePair> SimilarMerger::uniteMixtures(int num_wanted)
     {
         findMixtures(b_.graph, b_.records, b_.chosen);
         b_.chosen.resize(std::min(b_.chosen.size(), size_t(std::max(num_left_ - num_wanted, 0))));
+        if (b_.chosen.empty())
+            break;
         unite(true);
         united.insert(united.end(), b_.chosen.begin(), b_.chosen.end());
         b_.graph.relabel(b_.parents, b_.changed);
