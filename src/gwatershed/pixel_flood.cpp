@@ -46,9 +46,9 @@ static inline void touch(const FloodPixel& pixel)
 
 //! Reads the rows that some pixels of a batch will need. They lie anywhere in the image: so they are
 //! fetched at the same time, instead of one after the other.
-static void touchRows(const FloodPixel* pixels, int step, const std::vector<int>& batch, size_t begin, size_t end)
+static void touchRows(const FloodPixel* pixels, int step, const int* batch, int begin, int end)
 {
-    for (size_t i = begin; i < std::min(end, batch.size()); i++)
+    for (int i = begin; i < end; i++)
         for (int row = -step; row <= step; row += step)
             touch(pixels[batch[i] + row]);
 }
@@ -65,17 +65,18 @@ static inline unsigned findUnlabelled(const FloodPixel* pixel, int step)
 //! below the current priority waits until the priorities begin again at 0, and one queued at that priority
 //! goes behind those that are there. So the order of the queues alone decides, and neither lines nor
 //! the frame pass the flood on.
-static void flood(FloodPixel* pixels, int step, PixelQueue& queues, std::vector<int>& batch)
+static void flood(FloodPixel* pixels, int step, PixelQueue& queues)
 {
-    const size_t AHEAD = 8;
+    const int AHEAD = 8;
+    int batch[PixelQueue::CHUNK];
     const int offsets[4] = { -1, -step, 1, step };
-    while (queues.take(batch))
+    while (const int count = queues.take(batch))
     {
-        touchRows(pixels, step, batch, 0, AHEAD);
-        for (size_t i = 0; i < batch.size(); i++)
+        touchRows(pixels, step, batch, 0, std::min(AHEAD, count));
+        for (int i = 0; i < count; i++)
         {
             if (i % AHEAD == 0)
-                touchRows(pixels, step, batch, i + AHEAD, i + 2 * AHEAD);
+                touchRows(pixels, step, batch, i + AHEAD, std::min(i + 2 * AHEAD, count));
             FloodPixel* pixel = pixels + batch[i];
             pixel->state = commonLabel(pixel, step);
             unsigned reached = pixel->state == LINE ? 0 : findUnlabelled(pixel, step);
@@ -94,7 +95,7 @@ void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers)
     CV_TRACE_FUNCTION();
     buffers.queues.clear();
     fillQueues(pixels, buffers.queues);
-    flood(pixels.data(), pixels.step(), buffers.queues, buffers.batch);
+    flood(pixels.data(), pixels.step(), buffers.queues);
 }
 
 }}} // namespace

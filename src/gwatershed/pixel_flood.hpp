@@ -17,7 +17,6 @@ typedef BucketQueue<256> PixelQueue;
 struct PixelFloodBuffers
 {
     PixelQueue queues;
-    std::vector<int> batch;
 };
 
 //! Algorithm 1: floods from the pixels that have a label, and those beside them, which are IN_QUEUE. Leaves LINE and

@@ -19,7 +19,8 @@ public:
                 const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
           priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()), offsets_(labels.neighbors()),
-          first_(labels.index(Point(-1, rows.start - 1))), queues_(band.queues), batch_(band.batch),
+          first_(labels.index(Point(-1, rows.start - 1))), begin_(labels.index(Point(0, rows.start))),
+          last_(labels.index(Point(labels.size().width - 1, rows.end - 1))), queues_(band.queues),
           waiting_(band.waiting)
     {
         queues_.clear();
@@ -41,14 +42,18 @@ public:
     {
         for (const Point* seed = first_seed; seed != end_seed; seed++)
             spread(labels_.index(*seed), *seed);
-        while (queues_.take(batch_))
-            for (size_t i = 0; i < batch_.size(); i++)
+        int batch[FloodBuffers::Queue::CHUNK];
+        while (const int count = queues_.take(batch))
+        {
+            int num_open = 0;
+            for (int i = 0; i < count; i++) // others were taken out at a lower priority before
             {
-                const int block = batch_[i];
-                short& waiting = waiting_[block - first_];
-                if (waiting == CLOSED)
-                    continue; // it was taken out at a lower priority before
-                waiting = CLOSED;
+                batch[num_open] = batch[i];
+                num_open += waiting_[batch[i] - first_] != CLOSED;
+            }
+            for (int i = 0; i < num_open; i++)
+            {
+                const int block = batch[i];
                 const Point p = labels_.point(block);
                 if (WITH_DEPTH)
                     regions_[labels_.data()[block]].add(features_[block], p);
@@ -56,10 +61,11 @@ public:
                     regions_[labels_.data()[block]].add(features_[block]);
                 spread(block, p);
             }
+        }
     }
 
 private:
-    enum { CLOSED = -1, NOT_WAITING = FloodBuffers::PRIORITIES };
+    enum { CLOSED = -1, NOT_WAITING = FloodBuffers::Queue::NEVER };
 
     //! A region that holds both colours of a pattern is nearer to all blocks than others, which wait for their first
     //! block of the other colour. So it must not grow without end.
@@ -81,17 +87,29 @@ private:
         const v_int16x8 limited = v_min(priorities_of_(neighbors, region, p, excessOf(region)),
                                         v_setall_s16(FloodBuffers::PRIORITIES - 1));
         const v_int16x8 offered = v_max(limited, v_setall_s16(short(queues_.priority())));
+        // What waits for this region already, whose mean was another one, goes on waiting. Beside these rows nothing
+        // waits, and other threads write labels: any of these rows stands for it.
+        const int upper = std::max(block - step_, begin_), below = std::min(block + step_, last_);
+        const int* const all = labels_.data();
+        const v_int32x4 ours = equal(v_int32x4(all[block - 1], all[upper], all[block + 1], all[below]),
+                                     v_setall_s32(label));
+        const v_int16x8 lower = bitAnd(v_sub_wrap(offered, before), equal(v_pack(ours, ours), v_setzero_s16()));
+        // Without branches, which cannot be foreseen: the block itself stands for the other neighbours.
+        const v_int16x8 is_lower = v_shr<15>(lower);
+        v_int32x4 is_lower_low, is_lower_high;
+        v_expand(is_lower, is_lower_low, is_lower_high);
         short priorities[8];
-        v_store(priorities, offered);
-        for (unsigned lower = v_signmask(v_sub_wrap(offered, before)) & 15; lower; lower &= lower - 1)
+        int to[4];
+        v_store(priorities, v_select(is_lower, offered, v_setall_s16(short(NOT_WAITING))));
+        v_store(to, bitAnd(is_lower_low, v_load(offsets_.val)));
+        for (int k = 0; k < 4; k++)
         {
-            const int k = int(trailingZeros32(lower)), to = block + offsets_[k];
-            if (labels_.data()[to] == label)
-                continue; // it waits for this region already, whose mean was another one
-            labels_.data()[to] = label;
-            waiting[offsets_[k]] = priorities[k];
-            queues_.push(to, priorities[k]);
+            labels_.data()[block + to[k]] = label;
+            waiting[to[k]] = priorities[k];
+            queues_.push(block + to[k], priorities[k]);
         }
+        queues_.drop();
+        waiting[0] = CLOSED;
     }
 
     const Feature* features_;
@@ -100,9 +118,8 @@ private:
     const NeighborPriorities<WITH_DEPTH> priorities_of_;
     const int usual_area_, step_;
     const Vec4i offsets_; // of the neighbours
-    const int first_;
-    BucketQueue<FloodBuffers::PRIORITIES>& queues_;
-    std::vector<int>& batch_;
+    const int first_, begin_, last_; // indices: of the rows with their frame, and without it
+    FloodBuffers::Queue& queues_;
     std::vector<short>& waiting_; // priorities of the blocks that wait, CLOSED around the rows
 };
 

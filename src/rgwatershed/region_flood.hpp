@@ -16,11 +16,11 @@ namespace cv { namespace ximgproc { namespace gws {
 struct FloodBuffers
 {
     enum { PRIORITIES = 1024, MOST_GROUPS = 32 };
+    typedef BucketQueue<PRIORITIES> Queue;
 
     struct Band
     {
-        BucketQueue<PRIORITIES> queues;
-        std::vector<int> batch;
+        Queue queues;
         std::vector<short> waiting;
     };
     std::vector<Band> bands; // for groups of bands: those of a group are flooded one after the other

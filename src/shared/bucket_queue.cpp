@@ -7,26 +7,25 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-template <int PRIORITIES> bool BucketQueue<PRIORITIES>::take(std::vector<int>& batch)
+template <int PRIORITIES> int BucketQueue<PRIORITIES>::take(int* batch)
 {
     if (num_used_ == 0)
-        return false;
+        return 0;
     while (ends_[priority_] == 0)
         priority_ = priority_ + 1 < PRIORITIES ? priority_ + 1 : 0;
-    batch.clear();
-    const int last = (ends_[priority_] - 1) / CHUNK;
-    for (int chunk = first_[priority_]; chunk != NONE;)
+    const int chunk = first_[priority_], begin = chunk * CHUNK;
+    const bool is_last = next_[chunk] == NONE;
+    const int count = is_last ? ends_[priority_] - begin : int(CHUNK);
+    std::copy_n(items_.begin() + begin, int(CHUNK), batch);
+    first_[priority_] = next_[chunk];
+    next_[chunk] = free_;
+    free_ = chunk;
+    if (is_last)
     {
-        const int begin = chunk * CHUNK, end = chunk == last ? ends_[priority_] : begin + CHUNK;
-        const int following = next_[chunk];
-        batch.insert(batch.end(), items_.begin() + begin, items_.begin() + end);
-        next_[chunk] = free_;
-        free_ = chunk;
-        chunk = following;
+        ends_[priority_] = 0;
+        num_used_--;
     }
-    ends_[priority_] = 0;
-    num_used_--;
-    return true;
+    return count;
 }
 
 template <int PRIORITIES> void BucketQueue<PRIORITIES>::appendChunk(int priority)
@@ -36,9 +35,12 @@ template <int PRIORITIES> void BucketQueue<PRIORITIES>::appendChunk(int priority
         free_ = next_[chunk];
     else
     {
-        chunk = int(next_.size());
-        items_.resize(items_.size() + CHUNK);
-        next_.push_back(NONE);
+        chunk = num_chunks_++;
+        if (chunk == int(next_.size()))
+        {
+            items_.resize(items_.size() + CHUNK);
+            next_.push_back(NONE);
+        }
     }
     next_[chunk] = NONE;
     if (ends_[priority] > 0)

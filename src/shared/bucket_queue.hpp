@@ -14,17 +14,24 @@ namespace cv { namespace ximgproc { namespace gws {
 template <int PRIORITIES> class BucketQueue
 {
 public:
-    BucketQueue() { clear(); }
+    enum { CHUNK = 32 };
+
+    //! The priority of items that are dropped, up to CHUNK - 1 of them between two calls of drop().
+    enum { NEVER = PRIORITIES };
+
+    BucketQueue() : items_(CHUNK), next_(1) { clear(); }
 
     void clear()
     {
-        items_.clear();
-        next_.clear();
         free_ = NONE;
         priority_ = num_used_ = 0;
+        num_chunks_ = 1; // for those that are dropped
         std::fill_n(first_, PRIORITIES, int(NONE));
         std::fill_n(ends_, PRIORITIES, 0);
+        drop();
     }
+
+    void drop() { ends_[NEVER] = 1; }
 
     //! The priority of the items that were taken last.
     int priority() const { return priority_; }
@@ -36,23 +43,24 @@ public:
         items_[ends_[priority]++] = item;
     }
 
-    //! Takes all items from the queue at the current priority; if that is empty, from the next one that
-    //! is not, beginning again at 0 after the last. Returns false if all are empty.
-    bool take(std::vector<int>& batch);
+    //! Takes the first items, up to CHUNK, from the queue at the current priority; if that is empty, from the next one
+    //! that is not, beginning again at 0 after the last. Returns their number, 0 if all are empty.
+    int take(int* batch);
 
 private:
-    enum { CHUNK = 32, NONE = -1 };
+    enum { NONE = -1 };
 
     //! Puts a chunk that is free, or a new one, at the end of a queue.
     void appendChunk(int priority);
 
     std::vector<int> items_; // those of chunk i from i * CHUNK on
     std::vector<int> next_;  // chunk in the chain, for each chunk
+    int num_chunks_;         // that were used; there may be more from before
     int free_;               // first of the chain of those that no queue has
     int priority_;
     int num_used_;          // queues that are not empty
     int first_[PRIORITIES]; // chunk of each of them
-    int ends_[PRIORITIES];  // behind its last item, in items_; 0 if it is empty
+    int ends_[PRIORITIES + 1]; // behind its last item, in items_; 0 if it is empty
 };
 
 }}} // namespace
