@@ -5,12 +5,9 @@
 #include "precomp.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
 #include "rgwatershed/region_labels.hpp"
+#include <atomic>
 
 namespace cv { namespace ximgproc { namespace gws {
-
-// Bands of a group are swept by one thread. Labels do not depend on the groups: there are as many as the threads need,
-// because each has lists of its own.
-static int countGroups() { return getNumThreads() > 1 ? 2 * getNumThreads() : 1; }
 
 //! The last sweep makes no marks.
 void BoundarySweeper::begin(Size size, bool last)
@@ -98,10 +95,10 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
 {
     CV_TRACE_FUNCTION();
     const RegionChoice choice(features, labels, masks_, regions, rules.distance, rules.length_price);
-    const WaveTables tables = { choice, features, rules, regions, labels, masks_, marks_, lists_ };
-    const int num_bands = numBands();
-    lists_.divide(num_bands, countGroups());
-    moves_.resize(2 * num_bands - 1);
+    const Bands all = bands();
+    const WaveTables tables = { choice, features, rules, regions, labels, masks_, marks_, lists_, all };
+    lists_.divide(all.count(), std::max(1, getNumThreads()));
+    moves_.resize(2 * all.count() - 1);
     for (size_t i = 0; i < moves_.size(); i++)
         moves_[i].clear();
     sweepGroups(list, tables);
@@ -110,52 +107,52 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
         updateRegions(features, rules.guard, regions);
 }
 
-int BoundarySweeper::numQuadRows() const { return (masks_.size().height + 1) / 2; }
-
-int BoundarySweeper::numBands() const { return (numQuadRows() + BAND_HEIGHT - 1) / BAND_HEIGHT; }
-
-//! First the groups, at the same time, then what is left between them.
+//! Groups at the same time. What is left between two of them is swept by the thread that finishes the second one.
 void BoundarySweeper::sweepGroups(const List& list, const WaveTables& tables)
 {
-    const int num_groups = lists_.numGroups(), num_bands = numBands();
+    const int num_groups = lists_.numGroups();
+    std::vector<std::atomic<int> > finished(num_groups + 1); // of the two groups beside each limit
+    for (std::atomic<int>& count : finished)
+        count = 0;
     parallel_for_(Range(0, num_groups), [&](const Range& groups)
     {
         for (int group = groups.start; group < groups.end; group++)
-            for (int band = lists_.firstBand(group); band < std::min(lists_.firstBand(group + 1), num_bands); band++)
+        {
+            for (int band = lists_.firstBand(group); band < lists_.firstBand(group + 1); band++)
             {
                 sweepWithin(band, list, tables);
                 if (band != lists_.firstBand(group))
                     sweepAbove(band, tables);
             }
-    });
-    parallel_for_(Range(1, num_groups), [&](const Range& groups)
-    {
-        for (int group = groups.start; group < groups.end; group++)
-            sweepAbove(lists_.firstBand(group), tables);
+            for (int limit = group; limit <= group + 1; limit++)
+                if (++finished[limit] == 2)
+                    sweepAbove(lists_.firstBand(limit), tables);
+        }
     });
 }
 
 void BoundarySweeper::sweepWithin(int band, const List& list, const WaveTables& tables)
 {
-    const int height = numQuadRows(), width = (masks_.size().width + 1) / 2;
-    const Range rows(band * BAND_HEIGHT, std::min((band + 1) * BAND_HEIGHT, height));
+    const Range rows = tables.bands[band];
+    const int width = (masks_.size().width + 1) / 2;
     BoundaryList& of_band = lists_.of(band);
     of_band.begin(rows.start, size_t(rows.size()) * width);
     list(rows, of_band);
     readAhead(tables.features, rows);
-    runWave(tables, ClassRows::within(rows, height), moves_[band]);
+    runWave(tables, ClassRows::within(rows, tables.bands.numRows()), moves_[band]);
 }
 
 //! What is left between a band and the one above it, when both are done.
 void BoundarySweeper::sweepAbove(int band, const WaveTables& tables)
 {
-    runWave(tables, ClassRows::between(band * BAND_HEIGHT, numQuadRows()), moves_[numBands() + band - 1]);
+    const Bands& bands = tables.bands;
+    runWave(tables, ClassRows::between(bands.first(band), bands.numRows()), moves_[bands.count() + band - 1]);
 }
 
 //! In stripes, of which each reads all moves.
 void BoundarySweeper::updateRegions(const FeatureMap& features, VariationGuard* guard, Regions& regions) const
 {
-    const int stripes = countGroups(), n = regions.size();
+    const int stripes = std::max(1, getNumThreads()), n = regions.size();
     parallel_for_(Range(0, stripes), [&](const Range& range)
     {
         for (int i = range.start; i < range.end; i++)

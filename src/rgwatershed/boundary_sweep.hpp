@@ -43,8 +43,7 @@ private:
     void listAll(const Range& rows, bool last, BoundaryList& list);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
-    int numQuadRows() const;
-    int numBands() const;
+    Bands bands() const { return Bands((masks_.size().height + 1) / 2); }
     void sweepGroups(const List& list, const WaveTables& tables);
     void sweepWithin(int band, const List& list, const WaveTables& tables);
     void sweepAbove(int band, const WaveTables& tables);

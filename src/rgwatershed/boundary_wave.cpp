@@ -29,7 +29,7 @@ public:
     Wave(const WaveTables& t, Moves& moves)
         : table_(maskTable()), choice_(t.choice), features_(t.features.data()), rules_(t.rules),
           all_permitted_(rules_.markers.empty() && !rules_.guard), sums_(t.regions.sums.data()), labels_(t.labels),
-          masks_(t.masks), marks_(t.marks), lists_(t.lists), moves_(moves)
+          masks_(t.masks), marks_(t.marks), lists_(t.lists), bands_(t.bands), moves_(moves)
     {
     }
 
@@ -53,8 +53,8 @@ private:
     {
         for (int row = rows.start, end; row < rows.end; row = end)
         {
-            const int band = row / BAND_HEIGHT;
-            end = std::min(rows.end, (band + 1) * BAND_HEIGHT);
+            const int band = bands_.of(row);
+            end = std::min(rows.end, bands_.first(band + 1));
             sweepPart(2 * row + (c >> 1), lists_.of(band).part(c, Range(row, end)));
         }
     }
@@ -125,6 +125,7 @@ private:
     Padded<uchar>& masks_;
     Padded<uchar>& marks_;
     BandLists& lists_;
+    const Bands& bands_;
     Moves& moves_;
 };
 

@@ -17,7 +17,27 @@ namespace cv { namespace ximgproc { namespace gws {
 // both bands are done. So the result is that of one class after another.
 // The same holds for what a move writes: the masks and the marks of its neighbours.
 
-enum { BAND_HEIGHT = 16 }; // rows of quads; at least 5, so that the rows left out between bands do not meet
+//! Rows of quads in bands of nearly equal heights, at least 5, so that the rows left out between bands do not meet. The
+//! number of bands is even, so that two threads have the same.
+class Bands
+{
+public:
+    explicit Bands(int num_rows)
+        : num_rows_(num_rows), count_(num_rows <= HEIGHT ? 1 : (num_rows + 2 * HEIGHT - 1) / (2 * HEIGHT) * 2)
+    {
+    }
+
+    int count() const { return count_; }
+    int numRows() const { return num_rows_; }
+    int first(int band) const { return int(int64(num_rows_) * band / count_); }
+    Range operator[](int band) const { return Range(first(band), first(band + 1)); }
+    int of(int row) const { return int((int64(count_) * (row + 1) - 1) / num_rows_); }
+
+private:
+    enum { HEIGHT = 16 }; // at most
+
+    int num_rows_, count_;
+};
 
 //! Rows of quads that a class is looked at in.
 struct ClassRows
@@ -71,22 +91,23 @@ struct Moves
 class BandLists
 {
 public:
-    //! At most so many groups, if each has a few bands.
-    void divide(int num_bands, int most_groups)
+    //! Two groups for each thread, or one where bands are few.
+    void divide(int num_bands, int num_threads)
     {
-        const int FEWEST_BANDS = 2;
-        bands_in_group_ = std::max(FEWEST_BANDS, (num_bands + most_groups - 1) / most_groups);
-        groups_.resize((num_bands + bands_in_group_ - 1) / bands_in_group_);
+        const int MANY = 4; // bands for a thread
+        const int most = num_threads == 1 ? 1 : num_bands < MANY * num_threads ? num_threads : 2 * num_threads;
+        groups_.resize(std::min(num_bands, most));
+        of_bands_.resize(num_bands);
+        for (int i = 0; i < numGroups(); i++)
+            for (int band = firstBand(i); band < firstBand(i + 1); band++)
+                of_bands_[band] = band == firstBand(i) ? &groups_[i].first
+                                : band % 2 == 0 ? &groups_[i].even : &groups_[i].odd;
     }
 
     int numGroups() const { return int(groups_.size()); }
-    int firstBand(int group) const { return group * bands_in_group_; }
+    int firstBand(int group) const { return int(int64(of_bands_.size()) * group / numGroups()); }
 
-    BoundaryList& of(int band)
-    {
-        Group& group = groups_[band / bands_in_group_];
-        return band % bands_in_group_ == 0 ? group.first : band % 2 == 0 ? group.even : group.odd;
-    }
+    BoundaryList& of(int band) { return *of_bands_[band]; }
 
 private:
     struct Group
@@ -95,7 +116,7 @@ private:
     };
 
     std::vector<Group> groups_;
-    int bands_in_group_ = 1;
+    std::vector<BoundaryList*> of_bands_;
 };
 
 //! What the waves of a sweep read and write.
@@ -109,6 +130,7 @@ struct WaveTables
     Padded<uchar>& masks;
     Padded<uchar>& marks;
     BandLists& lists;
+    const Bands& bands;
 };
 
 //! Takes some rows of quads through all four classes: what one thread does. Rows are in lists already.

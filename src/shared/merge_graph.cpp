@@ -132,6 +132,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
     const bool large_regions = labels.total() > LARGE * size_t(num_regions);
     setRegions(num_regions);
     rows_.resize(chunks.size());
+    spans_.resize(chunks.size());
     builders_.resize(chunks.size());
     parallel_for_(Range(0, chunks.size()), [&](const Range& range)
     {
@@ -141,10 +142,12 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
             builder.start(labels.cols, large_regions);
             listEdges(labels, chunks[k], features, between_pixels, builder);
             builder.moveTo(rows_[k]);
+            divide(rows_[k], spans_[k]);
         }
     });
-    for (size_t k = 0; k < rows_.size(); k++)
-        spread(rows_[k]);
+    for (size_t k = 0; k < spans_.size(); k++)
+        for (size_t i = 0; i < spans_[k].size(); i++)
+            found_[spans_[k][i].list].push_back(spans_[k][i]);
 }
 
 //! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
@@ -167,8 +170,9 @@ void MergeGraph::setRegions(int num_regions)
 
 //! Shares edges that were found among the lists. Regions that touch a row mostly have numbers that are near each
 //! other, so spans are long.
-void MergeGraph::spread(const EdgeList& edges)
+void MergeGraph::divide(const EdgeList& edges, std::vector<EdgeSpan>& spans) const
 {
+    spans.clear();
     const MergeEdge *edge = edges.edges.data(), *const end = edge + edges.count;
     while (edge != end)
     {
@@ -176,8 +180,8 @@ void MergeGraph::spread(const EdgeList& edges)
         const int own = listOf(first->a, first->b);
         while (edge != end && listOf(edge->a, edge->b) == own)
             edge++;
-        const EdgeSpan span = { first, size_t(edge - first) };
-        found_[own].push_back(span);
+        const EdgeSpan span = { own, first, size_t(edge - first) };
+        spans.push_back(span);
     }
 }
 
@@ -287,7 +291,7 @@ size_t MergeGraph::join(int k, std::vector<int>& table)
         bits++;
     table.assign(size_t(1) << bits, FREE);
     known.reserve(first + num_edges);
-    const EdgeSpan of_fresh = { fresh.edges.data(), fresh.count };
+    const EdgeSpan of_fresh = { k, fresh.edges.data(), fresh.count };
     found_[k].push_back(of_fresh);
     int count = 0;
     for (size_t i = 0; i < found_[k].size(); i++)

@@ -37,9 +37,10 @@ struct EdgeList
     }
 };
 
-//! Some edges that lie one after the other in a list.
+//! Some edges that lie one after the other, all for one list of a graph.
 struct EdgeSpan
 {
+    int list;
     const MergeEdge* first;
     size_t count;
 };
@@ -104,7 +105,7 @@ public:
 private:
     int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);
-    void spread(const EdgeList& edges);
+    void divide(const EdgeList& edges, std::vector<EdgeSpan>& spans) const;
     size_t countUnjoined(int k) const;
     void relabel(int k, const int* parents, const uchar* changed);
     void findLeaving(int k);
@@ -114,6 +115,7 @@ private:
     int num_regions_ = 0, band_shift_ = 0;
     std::vector<EdgeList> known_, fresh_, leaving_; // of each list: fresh are set aside, leaving go to another list
     std::vector<EdgeList> rows_;                    // edges as they were found in some rows of the label map
+    std::vector<std::vector<EdgeSpan> > spans_;     // the same
     std::vector<std::vector<EdgeSpan> > found_;     // those of each list, until they are joined
     std::vector<EdgeBuilder> builders_;
     std::vector<std::vector<int> > tables_;
