@@ -122,40 +122,46 @@ TEST(ximgproc_GWatershed_depth, a_few_near_depths_take_no_levels_from_others)
         }
 }
 
+Mat makeDisc()
+{
+    Mat disc = Mat::zeros(240, 320, CV_8UC1);
+    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    return disc;
+}
+
+//! Purity of the superpixels of an even image whose depth shows two classes.
+double purityInGray(const Mat& depth, const Mat& classes, int region_size)
+{
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(Mat(depth.size(), CV_8UC3, Scalar::all(120)), depth,
+                                                               RGWATERSHED, region_size);
+    gws->iterate();
+    return purity(labelsOf(gws), gws->getNumberOfSuperpixels(), classes);
+}
+
 //! One pixel without an end is no reason to keep levels for what lies between.
 TEST(ximgproc_GWatershed_depth, an_infinite_pixel_takes_no_levels_from_others)
 {
-    const Size size(320, 240);
-    const Mat image(size, CV_8UC3, Scalar::all(120));
-    Mat disc = Mat::zeros(size, CV_8UC1);
-    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    const Mat disc = makeDisc();
     for (const double& step : { 0.005, 0.01, 0.02 })
         for (const int& side : { 10, 20 })
         {
-            Mat depth(size, CV_32FC1, Scalar(2));
+            Mat depth(disc.size(), CV_32FC1, Scalar(2));
             depth.setTo(Scalar(2 * (1 + step)), disc);
             depth.at<float>(0, 0) = std::numeric_limits<float>::infinity();
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, RGWATERSHED, side);
-            gws->iterate();
-            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+            EXPECT_GT(purityInGray(depth, disc, side), 0.998) << step << " " << side;
         }
 }
 
 //! As the tutorial says.
 TEST(ximgproc_GWatershed_depth, steps_of_2_percent_become_boundaries)
 {
-    const Size size(320, 240);
-    const Mat image(size, CV_8UC3, Scalar::all(120));
-    Mat disc = Mat::zeros(size, CV_8UC1);
-    circle(disc, Point(160, 120), 70, Scalar(1), FILLED);
+    const Mat disc = makeDisc();
     for (const double& step : { 0.02, 0.05, 0.5 })
         for (const int& side : { 10, 20, 30 })
         {
-            Mat depth(size, CV_16UC1, Scalar(1500));
+            Mat depth(disc.size(), CV_16UC1, Scalar(1500));
             depth.setTo(Scalar(1500 * (1 + step)), disc);
-            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, depth, RGWATERSHED, side);
-            gws->iterate();
-            EXPECT_GT(purity(labelsOf(gws), gws->getNumberOfSuperpixels(), disc), 0.998) << step << " " << side;
+            EXPECT_GT(purityInGray(depth, disc, side), 0.998) << step << " " << side;
         }
 }
 

@@ -52,7 +52,7 @@ void clearLabels(Size size, const Mat& mask, Padded<int>& labels)
         map.setTo(Scalar(OUTSIDE), mask == 0);
 }
 
-void labelInside(const Mat& mask, Padded<int>& labels)
+void fitToMask(const Mat& mask, Padded<int>& labels)
 {
     for (int y = 0; y < mask.rows; y++)
     {

@@ -19,8 +19,8 @@ void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, Size size, P
 //! All pixels become UNSEEN, those outside of the mask OUTSIDE if it is not empty.
 void clearLabels(Size size, const Mat& mask, Padded<int>& labels);
 
-//! The pixels inside of the mask that have no label become UNSEEN.
-void labelInside(const Mat& mask, Padded<int>& labels);
+//! Pixels outside of the mask lose their label, and those inside that have none become UNSEEN.
+void fitToMask(const Mat& mask, Padded<int>& labels);
 
 //! Each connected component of UNSEEN pixels becomes a region of its own. Returns the new number of
 //! regions.

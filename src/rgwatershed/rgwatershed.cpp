@@ -187,7 +187,7 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
         return;
     spreadLabels(labels_[level + 1], plan.levels.grid(level + 1, frame.color.size()), features_[level].size(),
                  labels_[level]);
-    labelInside(masks_.mask(level), labels_[level]);
+    fitToMask(masks_.mask(level), labels_[level]);
     const int NO_RULER = 0;
     floodFromRegions(features_[level], plan.sweep.distance, NO_RULER, flood_buffers_, labels_[level], regions_);
     if (level > 0)

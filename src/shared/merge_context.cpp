@@ -32,15 +32,10 @@ static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const Merge
 static std::vector<Link> linksOf(MergeGraph& graph, const std::vector<MergeRegion>& regions)
 {
     std::vector<Link> links;
-    for (int k = 0; k <= graph.numBands(); k++)
+    graph.forEdges([&](const MergeEdge& edge)
     {
-        const EdgeList& list = graph.edges(k);
-        for (size_t i = 0; i < list.count; i++)
-        {
-            const MergeEdge& edge = list.edges[i];
-            links.push_back({ edge.a, edge.b, likenessAt(edge, regions[edge.a], regions[edge.b]) });
-        }
-    }
+        links.push_back({ edge.a, edge.b, likenessAt(edge, regions[edge.a], regions[edge.b]) });
+    });
     return links;
 }
 

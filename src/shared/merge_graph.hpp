@@ -102,6 +102,13 @@ public:
     //! The same for all lists of edges.
     template <typename Body> void forLists(const Body& body) { forAll(numBands() + 1, body); }
 
+    //! Calls body(edge) for the edges of all lists, one after the other.
+    template <typename Body> void forEdges(const Body& body) const
+    {
+        for (const EdgeList& list : known_)
+            std::for_each(list.edges.begin(), list.edges.begin() + ptrdiff_t(list.count), body);
+    }
+
 private:
     int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);

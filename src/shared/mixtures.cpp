@@ -45,22 +45,11 @@ enum { NONE = -1 };
 
 } // namespace
 
-//! Calls body(edge) for all edges of a graph.
-template <typename Body> static void forEdges(MergeGraph& graph, const Body& body)
-{
-    for (int k = 0; k <= graph.numBands(); k++)
-    {
-        const EdgeList& list = graph.edges(k);
-        for (size_t i = 0; i < list.count; i++)
-            body(list.edges[i]);
-    }
-}
-
 //! Those of narrow regions; of others, which have more pixels than neighbours beside them, none.
 static std::vector<Sides> findSides(MergeGraph& graph, const std::vector<MergeRegion>& records)
 {
     std::vector<int> perimeters(records.size(), 0);
-    forEdges(graph, [&](const MergeEdge& edge)
+    graph.forEdges([&](const MergeEdge& edge)
     {
         perimeters[edge.a] += edge.length;
         perimeters[edge.b] += edge.length;
@@ -68,7 +57,7 @@ static std::vector<Sides> findSides(MergeGraph& graph, const std::vector<MergeRe
     const Side no_side = { NONE, 0 };
     const Sides none = { no_side, no_side };
     std::vector<Sides> sides(records.size(), none);
-    forEdges(graph, [&](const MergeEdge& edge)
+    graph.forEdges([&](const MergeEdge& edge)
     {
         if (records[edge.a].area <= float(perimeters[edge.a]))
             sides[edge.a].add({ edge.b, edge.length });
