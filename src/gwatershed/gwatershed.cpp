@@ -64,13 +64,10 @@ FeatureMap GWatershed::features(bool lab_input) const
 
 void GWatershed::drawLines(Mat& mask) const
 {
-    for (size_t i = 0; i < line_buffers_.bands.size(); i++)
-    {
-        const std::vector<int>& lines = line_buffers_.bands[i].lines;
-        for (size_t j = 0; j < lines.size(); j++)
-            if (pixels_.data()[lines[j]].state > 0)
-                mask.at<uchar>(pixels_.point(lines[j])) = 255;
-    }
+    for (const LineBuffers::Band& band : line_buffers_.bands)
+        for (int pixel : band.lines)
+            if (pixels_.data()[pixel].state > 0)
+                mask.at<uchar>(pixels_.point(pixel)) = 255;
 }
 
 }}} // namespace

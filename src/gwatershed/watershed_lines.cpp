@@ -84,12 +84,12 @@ static void labelThinLines(PixelMap& map, LineBuffers& buffers)
             setLabels(bands[i].lines, bands[i].labels, map, bands[i].rest);
     });
     buffers.round.clear();
-    for (size_t i = 0; i < bands.size(); i++)
-        for (size_t j = 0; j < bands[i].rest.size(); j++)
-            if (nearestLabel(map.data() + bands[i].rest[j], map.step()) != UNLABELLED)
+    for (const LineBuffers::Band& band : bands)
+        for (int pixel : band.rest)
+            if (nearestLabel(map.data() + pixel, map.step()) != UNLABELLED)
             {
-                map.data()[bands[i].rest[j]].state = IN_QUEUE;
-                buffers.round.push_back(bands[i].rest[j]);
+                map.data()[pixel].state = IN_QUEUE;
+                buffers.round.push_back(pixel);
             }
 }
 
@@ -113,10 +113,10 @@ void absorbLines(PixelMap& map, LineBuffers& buffers)
             map.data()[round[i]].state = labels[i];
 
         later.clear();
-        for (size_t i = 0; i < round.size(); i++)
+        for (int pixel : round)
             for (int k = 0; k < 4; k++)
             {
-                const int a = round[i] + map.neighbors()[k];
+                const int a = pixel + map.neighbors()[k];
                 int& state = map.data()[a].state;
                 if (state != LINE && state != UNLABELLED)
                     continue;

@@ -6,6 +6,7 @@
 #include "results/merge_hierarchy.hpp"
 #include "shared/region_measure.hpp"
 #include "shared/renumber.hpp"
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -32,8 +33,7 @@ int MergeHierarchy::cut(int num_labels, Mat& labels) const
 {
     const size_t count = std::min(size_t(std::max(num_labels_ - num_labels, 0)), unions_.size());
     std::vector<int> parents(num_labels_), numbers;
-    for (int i = 0; i < num_labels_; i++)
-        parents[i] = i;
+    std::iota(parents.begin(), parents.end(), 0);
     for (size_t i = 0; i < count; i++)
         parents[unions_[i][0]] = unions_[i][1];
     const int left = numberRegions(parents, numbers);

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "results/region_graph.hpp"
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -15,8 +16,7 @@ RegionGraph::RegionGraph(int num_regions) : firsts_(num_regions, int(NONE)), par
         slots *= 2;
     table_.assign(slots, int(NONE));
     boundaries_.reserve(usual);
-    for (int i = 0; i < num_regions; i++)
-        parents_[i] = i;
+    std::iota(parents_.begin(), parents_.end(), 0);
 }
 
 //! Takes the boundaries that are no more out of the list of a region, from a link on.

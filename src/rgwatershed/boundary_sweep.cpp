@@ -99,8 +99,8 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
     const WaveTables tables = { choice, features, rules, regions, labels, masks_, marks_, lists_, all };
     lists_.divide(all.count(), std::max(1, getNumThreads()));
     moves_.resize(2 * all.count() - 1);
-    for (size_t i = 0; i < moves_.size(); i++)
-        moves_[i].clear();
+    for (Moves& moves : moves_)
+        moves.clear();
     sweepGroups(list, tables);
     moved_ = std::any_of(moves_.begin(), moves_.end(), [](const Moves& moves) { return !moves.list.empty(); });
     if (!rules.last)
@@ -179,14 +179,17 @@ void BoundarySweeper::updateRegions(const Range& range, const FeatureMap& featur
             guard->add(place, region, times);
     };
     const bool needs_places = regions.surfaces.present || guard;
-    for (size_t i = 0; i < moves_.size(); i++)
-        for (size_t k = 0; k < moves_[i].list.size() && moves_[i].meets(range); k++)
+    for (const Moves& moves : moves_)
+    {
+        if (!moves.meets(range))
+            continue;
+        for (const Move& move : moves.list)
         {
-            const Move& move = moves_[i].list[k];
             const Point place = needs_places ? features.point(move.index) : Point();
             add(move.feature, place, move.from, -1);
             add(move.feature, place, move.to, 1);
         }
+    }
     regions.update(range);
     if (guard)
         guard->update(range);

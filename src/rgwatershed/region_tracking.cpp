@@ -195,8 +195,8 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
     floodFromPoints(features, markers, std::vector<Point>(), bands, plan.flood_distance,
                     plan.floodRuler(change.changed_area, num_markers),
                     plan.usualFloodArea(change.changed_area, num_markers), flood_buffers_, labels, regions);
-    for (size_t i = 0; i < markers.size(); i++)
-        names_.push_back(before.at<int>(markers[i]));
+    for (Point marker : markers)
+        names_.push_back(before.at<int>(marker));
     return num_kept;
 }
 

@@ -37,8 +37,8 @@ public:
 
     void addTo(std::vector<Sum>& sums) const
     {
-        for (size_t i = 0; i < parts_.size(); i++)
-            sums[parts_[i].label].add(parts_[i].sum);
+        for (const Part& part : parts_)
+            sums[part.label].add(part.sum);
     }
 
 private:
@@ -77,8 +77,8 @@ void sumByLabel(const Mat& labels, const AddRun& addRun, std::vector<Sum>& sums)
             parts[k].add(labels, chunks[k], slots.data(), addRun);
     });
     std::fill(sums.begin(), sums.end(), Sum());
-    for (size_t k = 0; k < parts.size(); k++)
-        parts[k].addTo(sums);
+    for (const SumsOfRows<Sum>& part : parts)
+        part.addTo(sums);
 }
 
 }}} // namespace

@@ -145,9 +145,9 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
             divide(rows_[k], spans_[k]);
         }
     });
-    for (size_t k = 0; k < spans_.size(); k++)
-        for (size_t i = 0; i < spans_[k].size(); i++)
-            found_[spans_[k][i].list].push_back(spans_[k][i]);
+    for (const std::vector<EdgeSpan>& of_rows : spans_)
+        for (const EdgeSpan& span : of_rows)
+            found_[span.list].push_back(span);
 }
 
 //! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
@@ -188,8 +188,8 @@ void MergeGraph::divide(const EdgeList& edges, std::vector<EdgeSpan>& spans) con
 size_t MergeGraph::countUnjoined(int k) const
 {
     size_t count = fresh_[k].count;
-    for (size_t i = 0; i < found_[k].size(); i++)
-        count += found_[k][i].count;
+    for (const EdgeSpan& span : found_[k])
+        count += span.count;
     return count;
 }
 
@@ -244,12 +244,11 @@ void MergeGraph::findLeaving(int k)
 //! Edges of regions that were united across the limit of a band.
 void MergeGraph::handOver()
 {
-    for (size_t k = 0; k < leaving_.size(); k++)
+    for (EdgeList& from : leaving_)
     {
-        const EdgeList& from = leaving_[k];
         for (size_t i = 0; i < from.count; i++)
             fresh_[listOf(from.edges[i].a, from.edges[i].b)].add(from.edges[i]);
-        leaving_[k].count = 0;
+        from.count = 0;
     }
 }
 
@@ -294,8 +293,8 @@ size_t MergeGraph::join(int k, std::vector<int>& table)
     const EdgeSpan of_fresh = { k, fresh.edges.data(), fresh.count };
     found_[k].push_back(of_fresh);
     int count = 0;
-    for (size_t i = 0; i < found_[k].size(); i++)
-        count = joinEdges(found_[k][i], bits, table.data(), known.edges.data() + first, count);
+    for (const EdgeSpan& span : found_[k])
+        count = joinEdges(span, bits, table.data(), known.edges.data() + first, count);
     known.count += size_t(count);
     found_[k].clear();
     fresh.count = 0;

@@ -86,9 +86,8 @@ static void keepCheapest(const std::vector<int>& counts, CostBins bins, size_t n
     for (; rest > size_t(counts[limit]); limit++)
         rest -= counts[limit];
     size_t end = 0;
-    for (size_t i = 0; i < pairs.size(); i++)
+    for (const MergePair pair : pairs)
     {
-        const MergePair pair = pairs[i];
         const unsigned bin = bins(pair.price);
         const bool at_limit = (bin == limit) & (rest > 0);
         pairs[end] = pair;

@@ -59,8 +59,8 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
     expect(expected);
     while (runRound(1, true))
     {
-        for (size_t i = 0; i < b_.chosen.size(); i++)
-            unions.push_back(Vec2i(b_.chosen[i].from, b_.chosen[i].to));
+        for (const MergePair& pair : b_.chosen)
+            unions.push_back(Vec2i(pair.from, pair.to));
         b_.graph.relabel(b_.parents, b_.changed);
         if (leadingBits(num_left_) == expected)
             continue;
@@ -135,10 +135,10 @@ bool SimilarMerger::runRound(int num_wanted, bool in_order)
     evaluate();
     findPairs();
     size_t num_active = 0, num_pairs = 0;
-    for (size_t k = 0; k < b_.bands.size(); k++)
+    for (const MergeBand& band : b_.bands)
     {
-        num_active += b_.bands[k].active.size();
-        num_pairs += b_.bands[k].pairs.size();
+        num_active += band.active.size();
+        num_pairs += band.pairs.size();
     }
     if (num_active == 0)
         return false;
@@ -169,9 +169,8 @@ void SimilarMerger::evaluate()
         findCosts(k, table);
         if (k == num_bands)
             return; // edges between bands come when these are done
-        const std::vector<int>& active = b_.bands[k].active;
-        for (size_t i = 0; i < active.size(); i++)
-            b_.best[active[i]] = NO_PRICE;
+        for (int region : b_.bands[k].active)
+            b_.best[region] = NO_PRICE;
         findBest(b_.graph.edges(k));
     });
     findBest(b_.graph.edges(num_bands));
@@ -213,9 +212,8 @@ void SimilarMerger::findPairs(int band)
     const int* const parents = b_.parents.data();
     uchar* const changed = b_.changed.data();
     size_t num_active = 0, num_pairs = 0;
-    for (size_t i = 0; i < active.size(); i++)
+    for (int region : active)
     {
-        const int region = active[i];
         const uint64 price = best[region];
         if (parents[region] != region || price == NO_PRICE)
             continue;
@@ -234,9 +232,11 @@ void SimilarMerger::findPairs(int band)
 //! many of them would be united in each round, only because they are many.
 size_t SimilarMerger::countWelcome(size_t num_pairs) const
 {
+    if (rules_.num_kept == 0)
+        return num_pairs;
     size_t num_kept = 0;
-    for (size_t k = 0; k < b_.bands.size() && rules_.num_kept > 0; k++)
-        num_kept += std::count_if(b_.bands[k].pairs.begin(), b_.bands[k].pairs.end(), [&](const MergePair& pair)
+    for (const MergeBand& band : b_.bands)
+        num_kept += std::count_if(band.pairs.begin(), band.pairs.end(), [&](const MergePair& pair)
         {
             return std::max(pair.from, pair.to) < rules_.num_kept;
         });

@@ -22,9 +22,8 @@ void Regions::divideBlocks(int side)
         surfaces.sums[i].divideBlocks(side, sums[i].depth_area);
         surfaces.means[i].divideBlocks(side, means[i].depth);
     }
-    for (int i = 0; i < size(); i++)
+    for (RegionSum& sum : sums)
     {
-        RegionSum& sum = sums[i];
         for (int k = 0; k < 3; k++)
             sum.color[k] *= elements;
         sum.depth *= elements;
@@ -72,8 +71,8 @@ void Regions::update(const Range& range)
 
 void Regions::update(const std::vector<int>& numbers)
 {
-    for (size_t i = 0; i < numbers.size(); i++)
-        means[numbers[i]] = sums[numbers[i]].mean();
+    for (int i : numbers)
+        means[i] = sums[i].mean();
     if (surfaces.present)
         updateSurfaces(int(numbers.size()), [&](int i) { return numbers[i]; });
 }
