@@ -63,8 +63,7 @@ private:
         int levels = are_spread ? 65536 : 256;
         while (T(levels) <= *highest)
             levels *= 2;
-        const ValueRange range = { 0, T(levels - 1) };
-        return range;
+        return { 0, T(levels - 1) };
     }
 
     bool areSpread() const
@@ -303,8 +302,7 @@ void scaleImage(const Mat& image, RangeOf<double> range, Mat& scaled)
 template <typename T> RangeOf<double> findRange(const Mat& image, const Mat& mask)
 {
     const RangeOf<T> found = RangeFinder<T>(image, mask).find();
-    const RangeOf<double> range = { found.first, found.last };
-    return range;
+    return { found.first, found.last };
 }
 
 bool isAutomatic(FloatRange set) { return set.first == 0 && set.last == 0; }
@@ -315,8 +313,7 @@ RangeOf<double> chooseRange(const Mat& image, const Mat& mask, FloatRange set)
     const bool is_large = image.depth() == CV_32S || image.depth() == CV_64F;
     if (isAutomatic(set))
         return is_large ? findRange<double>(image, mask) : findRange<float>(image, mask);
-    const RangeOf<double> range = { set.first, set.last };
-    return range;
+    return { set.first, set.last };
 }
 
 //! Two channels as three: between them their mean, so that both count alike when colours are converted.

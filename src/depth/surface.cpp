@@ -86,8 +86,7 @@ NearnessScale scaleOf(const DepthSpan& span)
     const double slope = std::min((near_level - far_level) / std::max(inverse_near - inverse_far, DBL_MIN),
                                   LEVELS / inverse_near);
     const double horizon = far_level - slope / span.range.last; // a quotient is rounded before it is taken off
-    const NearnessScale scale = { float(horizon + 0.5), float(slope), float(horizon) };
-    return scale;
+    return { float(horizon + 0.5), float(slope), float(horizon) };
 }
 
 //! What was measured becomes a depth of the range.

@@ -36,9 +36,8 @@ struct PixelContrast
     {
         const int cn = color.channels();
         const uchar* value = color.ptr(p.y) + size_t(p.x) * cn;
-        const Pixel pixel = { value[0], value[cn == 1 ? 0 : 1], value[cn == 1 ? 0 : 2],
-                              depth.empty() ? uchar(0) : depth.at<uchar>(p) };
-        return pixel;
+        return { value[0], value[cn == 1 ? 0 : 1], value[cn == 1 ? 0 : 2],
+                 depth.empty() ? uchar(0) : depth.at<uchar>(p) };
     }
 
     const Mat& color;

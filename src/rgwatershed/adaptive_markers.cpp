@@ -24,8 +24,7 @@ public:
     //! Places n markers in the image, which has as many elements.
     void divide(int n)
     {
-        const Part all = { Rect(Point(), gradient_.size()), n };
-        parts_.assign(1, all);
+        parts_.assign(1, { Rect(Point(), gradient_.size()), n });
         while (!parts_.empty())
         {
             const Part part = parts_.back();
@@ -59,8 +58,8 @@ private:
         const Rect second = upright ? Rect(part.x, first.br().y, part.width, part.height - cut)
                                     : Rect(first.br().x, part.y, part.width - cut, part.height);
         const int in_first = std::min(std::max(half, n - second.area()), first.area()); // there may be no room for half
-        const Part parts[2] = { { second, n - in_first }, { first, in_first } }; // the last one comes next
-        parts_.insert(parts_.end(), parts, parts + 2);
+        parts_.push_back({ second, n - in_first });
+        parts_.push_back({ first, in_first }); // comes next
     }
 
     static Rect firstPart(const Rect& part, bool upright, int cut)

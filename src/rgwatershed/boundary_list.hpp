@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 // An image is divided into quads of 2x2 pixels, each of which has one pixel of each of the four classes: class
 // 2 * (y % 2) + x % 2. No two pixels of one class are neighbours.
 
-enum { NUM_CLASSES = 4, ALL_CLASSES = 15 };
+enum { NUM_CLASSES = 4 };
 
 //! The pixels that a sweep looks at in some rows of quads, by class and row.
 class BoundaryList
@@ -37,8 +37,7 @@ public:
     Part part(int c, const Range& rows) const
     {
         const int first = ends_[c][rows.start - first_row_], last = ends_[c][rows.end - first_row_];
-        const Part result = { pixels_[c].data() + first, last - first };
-        return result;
+        return { pixels_[c].data() + first, last - first };
     }
 
 private:

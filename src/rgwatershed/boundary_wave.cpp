@@ -85,8 +85,7 @@ private:
         int& label = labels_.data()[to.pixel];
         if (!rules_.last)
         {
-            const Move made = { to.pixel, label, to.region, features_[to.pixel] };
-            moves_.add(made);
+            moves_.add({ to.pixel, label, to.region, features_[to.pixel] });
             markAround(marks_.data() + to.pixel);
         }
         label = to.region;

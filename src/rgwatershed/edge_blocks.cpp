@@ -108,11 +108,8 @@ static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, 
         v_store(sides[0].color, v_reinterpret_as_u8(v_select(isPositive(subtract(upright.strength, beside.strength)),
                                                              upright.side, beside.side)));
         for (int i = x - start; i < GROUP; i++)
-        {
-            const EdgeBlock block = { blocks.index(Point(start + i, y)), sides[i] };
             if (strengths[i] != 0 && of_group[i] == UNSEEN)
-                found.push_back(block);
-        }
+                found.push_back({ blocks.index(Point(start + i, y)), sides[i] });
     }
 }
 

@@ -15,8 +15,7 @@ static BlockLevels chooseLevels(Size size, double fewest_blocks, bool centered)
     for (const BlockLevels& levels : CHOICES)
         if (double(levels.sizeOf(levels.top, size).area()) >= fewest_blocks)
             return levels;
-    const BlockLevels pixels = { 0, 2, centered };
-    return pixels;
+    return { 0, 2, centered };
 }
 
 //! The same for a mask: as many pixels may lie outside of the blocks as there are blocks, and what these cut off must
@@ -31,8 +30,7 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
                          double(masks.blocks(level)) * ((1 << 2 * level) + 1) < masks.blocks(0) ||
                          masks.components(level) + masks.lost(level) > most))
         level--;
-    const BlockLevels levels = { level, 2, false };
-    return levels;
+    return { level, 2, false };
 }
 
 //! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals,

@@ -101,9 +101,8 @@ template <RegionChoice::Content CONTENT> int RegionChoice::keepNear(int n, int y
         return std::max(first, 0);
     }, [&](int i, int square, OpenPixel& to)
     {
-        const OpenPixel pixel = { open[i].index, open[i].slack, square };
-        to = pixel;
-        return square < pixel.slack;
+        to = { open[i].index, open[i].slack, square };
+        return square < to.slack;
     });
 }
 

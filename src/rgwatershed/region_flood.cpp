@@ -142,14 +142,13 @@ static void floodRows(const Padded<Feature>& features, const RegionDistance& dis
 static void findSlopes(const FeatureMap& features, const Point* markers, int n, FloodRegion* regions)
 {
     std::vector<SurfaceSum> sums(n);
-    SurfaceSolver(features.camera).solveAll(n, [&](int i)
+    SurfaceSolver(features.camera).solveAll(n, [&](int i) -> SurfaceSolver::Source
     {
         const Point p = markers[i];
         const Feature& feature = features.row(p.y)[p.x];
         sums[i] = SurfaceSum();
         sums[i].add(feature, features.normalAt(p), p);
-        const SurfaceSolver::Source source = { &sums[i], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
-        return source;
+        return { &sums[i], STEPS_PER_LEVEL * feature.depth, feature.depth != 0 };
     }, [&](int i, const SurfaceMean& mean) { regions[i].slope = Point(mean.slope_x, mean.slope_y); });
 }
 

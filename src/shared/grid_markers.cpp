@@ -158,9 +158,8 @@ void divideIntoBands(const MarkerGrid& grid, int height, std::vector<MarkerBand>
         const int bottom = grid.limitOfRows(i + 1, grid.rows);
         if (i + 1 < grid.rows && std::min(bottom - top, grid.size.height - bottom) < height)
             continue;
-        const MarkerBand band = { Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
-                                                            in_cell * divide(grid.num_cells, i + 1, grid.rows)) };
-        bands.push_back(band);
+        bands.push_back({ Range(top, bottom), Range(in_cell * divide(grid.num_cells, first, grid.rows),
+                                                    in_cell * divide(grid.num_cells, i + 1, grid.rows)) });
         first = i + 1;
     }
 }

@@ -57,8 +57,7 @@ struct MarkerBand
 //! All rows and all markers.
 inline MarkerBand wholeBand(Size size, int num_markers)
 {
-    const MarkerBand band = { Range(0, size.height), Range(0, num_markers) };
-    return band;
+    return { Range(0, size.height), Range(0, num_markers) };
 }
 
 //! Divides the grid into bands of whole rows of cells, each at least `height` rows of elements high if the grid is.

@@ -52,9 +52,8 @@ private:
     {
         if (slot >= parts_.size() || parts_[slot].label != label)
         {
-            const Part part = { label, Sum() };
             slot = unsigned(parts_.size());
-            parts_.push_back(part);
+            parts_.push_back({ label, Sum() });
         }
         return parts_[slot].sum;
     }

@@ -83,9 +83,8 @@ void EdgeBuilder::joinRow(const int* row, const int* other, int count)
         int& place = latest[hashOf(a, b) >> (32 - LATEST_BITS)];
         if (!isBetween(edges[place], a, b))
         {
-            const MergeEdge edge = { a, b, 0, 0, 0 };
             place = int(num_edges);
-            edges[num_edges++] = edge;
+            edges[num_edges++] = { a, b, 0, 0, 0 };
         }
         edges[place].length++;
         edges[place].contrast += contrasts[i];
@@ -180,8 +179,7 @@ void MergeGraph::divide(const EdgeList& edges, std::vector<EdgeSpan>& spans) con
         const int own = listOf(first->a, first->b);
         while (edge != end && listOf(edge->a, edge->b) == own)
             edge++;
-        const EdgeSpan span = { own, first, size_t(edge - first) };
-        spans.push_back(span);
+        spans.push_back({ own, first, size_t(edge - first) });
     }
 }
 
@@ -264,8 +262,7 @@ static int joinEdges(const EdgeSpan& from, int bits, int* table, MergeEdge* edge
     for (const MergeEdge *edge = from.first, *end = edge + from.count; edge != end; edge++)
     {
         const int a = edge->a, b = edge->b;
-        const MergeEdge ready = { a, b, 0, 0, 0 };
-        edges[count] = ready;
+        edges[count] = { a, b, 0, 0, 0 };
         unsigned slot = hashOf(a, b) >> (32 - bits);
         int to = lowerOf(table[slot], count);
         while (!isBetween(edges[to], a, b)) // seldom
@@ -290,8 +287,7 @@ size_t MergeGraph::join(int k, std::vector<int>& table)
         bits++;
     table.assign(size_t(1) << bits, FREE);
     known.reserve(first + num_edges);
-    const EdgeSpan of_fresh = { k, fresh.edges.data(), fresh.count };
-    found_[k].push_back(of_fresh);
+    found_[k].push_back({ k, fresh.edges.data(), fresh.count });
     int count = 0;
     for (const EdgeSpan& span : found_[k])
         count = joinEdges(span, bits, table.data(), known.edges.data() + first, count);

@@ -71,11 +71,10 @@ static std::vector<Sides> findSides(MergeGraph& graph, const std::vector<MergeRe
 //! pixels wide, and its colour lies on the straight line between those of its sides, which are an edge apart.
 static Mixture mixtureOf(int region, const Sides& sides, const std::vector<MergeRegion>& records)
 {
-    const Mixture none = { NONE, NONE };
     const int EDGE = 24 * STEPS_PER_LEVEL; // less may be noise
     const int ASIDE = 20;                  // farther from the line than this part of it is a colour of its own
     if (sides.second.length == 0 || records[region].area > float(sides.longest.length + sides.second.length))
-        return none;
+        return { NONE, NONE };
     const int a = sides.longest.region, b = sides.second.region;
     int64 whole = 0, along = 0, part = 0; // of the line from a to b
     for (int k = 0; k < 3; k++)
@@ -88,10 +87,9 @@ static Mixture mixtureOf(int region, const Sides& sides, const std::vector<Merge
     }
     const bool is_between = along > 0 && along < whole && whole >= EDGE * EDGE;
     if (!is_between || (part * whole - along * along) * (ASIDE * ASIDE) > whole * whole)
-        return none;
+        return { NONE, NONE };
     const bool is_nearer_to_b = 2 * along > whole;
-    const Mixture mixture = { is_nearer_to_b ? b : a, is_nearer_to_b ? a : b };
-    return mixture;
+    return { is_nearer_to_b ? b : a, is_nearer_to_b ? a : b };
 }
 
 void findMixtures(MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs)

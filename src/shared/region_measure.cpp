@@ -32,9 +32,7 @@ struct ColorSum
 
     RegionSum toRegion() const
     {
-        const RegionSum sum = { { int64(channels[0]), int64(channels[1]), int64(channels[2]) }, int64(channels[3]),
-                                area, depth_area };
-        return sum;
+        return { { int64(channels[0]), int64(channels[1]), int64(channels[2]) }, int64(channels[3]), area, depth_area };
     }
 
     //! weights are those of the channels, in 1/256.
@@ -169,11 +167,7 @@ template <bool WITH_TEXTURE> struct LastPixels
         std::copy_n(from.below, count, below);
         std::copy_n(from.labels_below, count, labels_below);
     }
-    PixelRows rows() const
-    {
-        const PixelRows rows = { features, below, labels_below };
-        return rows;
-    }
+    PixelRows rows() const { return { features, below, labels_below }; }
 };
 
 template <bool WITH_TEXTURE>

@@ -53,11 +53,10 @@ void Regions::unite(int from, int to)
 //! Of those that numberOf(0), ... name.
 template <typename NumberOf> void Regions::updateSurfaces(int count, const NumberOf& numberOf)
 {
-    SurfaceSolver(surfaces.camera).solveAll(count, [&](int k)
+    SurfaceSolver(surfaces.camera).solveAll(count, [&](int k) -> SurfaceSolver::Source
     {
         const int i = numberOf(k);
-        const SurfaceSolver::Source source = { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
-        return source;
+        return { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
     }, [&](int k, const SurfaceMean& mean) { surfaces.means[numberOf(k)] = mean; });
 }
 

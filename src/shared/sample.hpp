@@ -49,8 +49,7 @@ template <typename T> RangeOf<T> rangeWithout(size_t outliers, std::vector<T>& v
     std::nth_element(begin, low, end);
     const T first = *low;
     std::nth_element(low, high, end);
-    const RangeOf<T> range = { first, *high };
-    return range;
+    return { first, *high };
 }
 
 }}} // namespace

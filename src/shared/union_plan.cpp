@@ -94,8 +94,7 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
         if (sums[i][2] > 0)
         {
             const Point cell(int(sums[i][0] / sums[i][2]), int(sums[i][1] / sums[i][2]));
-            const RegionPlace place = { tiling.tileOf(cell), i, cell };
-            places.push_back(place);
+            places.push_back({ tiling.tileOf(cell), i, cell });
         }
     std::sort(places.begin(), places.end());
     return places;
@@ -132,8 +131,8 @@ static void divide(const Group& group, std::vector<RegionPlace>& places, UnionPl
     {
         return wide ? place.cell.x < middle.x : place.cell.y < middle.y;
     }) - begin);
-    const Group halves[] = { { Range(group.range.start, between), part }, { Range(between, group.range.end), part } };
-    groups.insert(groups.end(), halves, halves + 2);
+    groups.push_back({ Range(group.range.start, between), part });
+    groups.push_back({ Range(between, group.range.end), part });
 }
 
 UnionPlan planUnions(const Mat& labels, int num_labels)
@@ -149,8 +148,7 @@ UnionPlan planUnions(const Mat& labels, int num_labels)
     {
         for (last = first + 1; last < count && places[last].tile == places[first].tile;)
             last++;
-        const Group tile = { Range(first, last), -2 - places[first].region };
-        groups.push_back(tile);
+        groups.push_back({ Range(first, last), -2 - places[first].region });
     }
     for (size_t i = 0; i < groups.size(); i++)
     {
