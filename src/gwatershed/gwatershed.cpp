@@ -45,7 +45,7 @@ int GWatershed::run(const Frame& frame, const Parameters& parameters, Mat& label
         labelMarkers(markers_, pixels_);
         num_superpixels = int(markers_.size());
     }
-    floodFromMarkers(pixels_, flood_buffers_);
+    floodFromMarkers(pixels_, queues_);
     absorbLines(pixels_, line_buffers_);
     extractLabels(pixels_, labels);
     return num_superpixels;

@@ -38,7 +38,7 @@ private:
     MarkerBuffers marker_buffers_;
     Mat last_labels_;
     PixelMap pixels_;
-    PixelFloodBuffers flood_buffers_;
+    PixelQueue queues_;
     LineBuffers line_buffers_;
 };
 

@@ -90,12 +90,12 @@ static void flood(FloodPixel* pixels, int step, PixelQueue& queues)
     }
 }
 
-void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers)
+void floodFromMarkers(PixelMap& pixels, PixelQueue& queues)
 {
     CV_TRACE_FUNCTION();
-    buffers.queues.clear();
-    fillQueues(pixels, buffers.queues);
-    flood(pixels.data(), pixels.step(), buffers.queues);
+    queues.clear();
+    fillQueues(pixels, queues);
+    flood(pixels.data(), pixels.step(), queues);
 }
 
 }}} // namespace

@@ -13,15 +13,9 @@ namespace cv { namespace ximgproc { namespace gws {
 //! The 256 queues of Algorithm 1.
 typedef BucketQueue<256> PixelQueue;
 
-//! Buffers of the flood.
-struct PixelFloodBuffers
-{
-    PixelQueue queues;
-};
-
 //! Algorithm 1: floods from the pixels that have a label, and those beside them, which are IN_QUEUE. Leaves LINE and
-//! UNLABELLED pixels.
-void floodFromMarkers(PixelMap& pixels, PixelFloodBuffers& buffers);
+//! UNLABELLED pixels. The queues are a buffer.
+void floodFromMarkers(PixelMap& pixels, PixelQueue& queues);
 
 }}} // namespace
 
