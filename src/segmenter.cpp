@@ -12,12 +12,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-Mat convertInside(const Mat& image, const Mat& mask, const Parameters& parameters, Mat& buffer)
-{
-    const FloatRange range = { parameters.low_value, parameters.high_value };
-    return convertImage(image, mask, range, buffer);
-}
-
 //! Depth that is missing outside of the mask.
 static Mat keepInside(const Mat& depth, const Mat& mask)
 {
@@ -30,8 +24,7 @@ static Mat keepInside(const Mat& depth, const Mat& mask)
 
 Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters, Mat& buffer)
 {
-    const FloatRange range = { parameters.near_depth, parameters.far_depth };
-    return scaleDepth(keepInside(depth, mask), range, buffer);
+    return scaleDepth(keepInside(depth, mask), parameters.depthRange(), buffer);
 }
 
 //! Whether depth is metric, or shall be taken as such, and wide enough for normals. Planes are measured at places of 16
@@ -78,7 +71,7 @@ Frame Segmenter::makeFrame(const Mat& image, const Mat& depth, const Mat& marker
     frame.num_pixels = result.mask.empty() ? bounds.area() : result.mask.area;
     if (frame.num_pixels < bounds.area())
         frame.mask = result.mask.pixels(bounds);
-    frame.color = convertInside(image, frame.mask, result.parameters, converted_);
+    frame.color = convertImage(image, frame.mask, result.parameters.valueRange(), converted_);
     if (usesSurfaces(depth, result.parameters))
         addSurface(depth, result, frame);
     else
@@ -102,8 +95,8 @@ void Segmenter::addSurface(const Mat& depth, const Segmentation& result, Frame& 
     const Size size = result.bounds.size();
     frame.camera.focal = parameters.focalLength(size);
     frame.camera.center = Point2f(float(size.width - 1) / 2, float(size.height - 1) / 2);
-    const FloatRange range = { parameters.near_depth, parameters.far_depth };
-    findSurface(keepInside(depth, frame.mask), range, frame.camera, surface_, frame.depth, frame.normals);
+    findSurface(keepInside(depth, frame.mask), parameters.depthRange(), frame.camera, surface_, frame.depth,
+                frame.normals);
 }
 
 void Segmenter::run(Frame frame, const Last& last, int num_iterations, Segmentation& result)

@@ -60,9 +60,6 @@ private:
     Last last_;
 };
 
-//! The image in 8 bits. What is outside of the mask has no influence on the range of values.
-Mat convertInside(const Mat& image, const Mat& mask, const Parameters& parameters, Mat& buffer);
-
 //! Scaled depth, or empty. What is outside of the mask has no influence on the scale.
 Mat scaleInside(const Mat& depth, const Mat& mask, const Parameters& parameters, Mat& buffer);
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "arguments.hpp"
+#include "conversion.hpp"
 #include "in_use.hpp"
 #include "results/adjacency.hpp"
 #include "results/contours.hpp"
@@ -202,8 +203,8 @@ public:
             Mat depth_inside = depths.empty() ? Mat() : depths(result_.bounds);
             const Mat mask_inside = result_.mask.empty() ? Mat() : result_.mask.pixels(result_.bounds);
             const gws::Parameters& used = result_.parameters;
-            Mat color = values.empty() ? Mat()
-                                       : gws::convertInside(values(result_.bounds), mask_inside, used, converted);
+            Mat color = values.empty() ? Mat() : gws::convertImage(values(result_.bounds), mask_inside,
+                                                                   used.valueRange(), converted);
             depth_inside = gws::scaleInside(depth_inside, mask_inside, used, scaled);
             gws::listAdjacency(result_.labels(result_.bounds), result_.number, color, depth_inside, used.alphaWeight(),
                                tables[0], tables[1], tables[2]);

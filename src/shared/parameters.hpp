@@ -5,7 +5,7 @@
 #ifndef OPENCV_GWATERSHED_PARAMETERS_HPP
 #define OPENCV_GWATERSHED_PARAMETERS_HPP
 
-#include "precomp.hpp"
+#include "shared/sample.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -50,6 +50,9 @@ struct Parameters
     int countSuperpixels(Size size, double pixels) const;
     //! The focal length in pixels, for images of a size.
     Point2f focalLength(Size size) const;
+    //! The ranges that are set. Both ends are 0 where there is none.
+    FloatRange valueRange() const { return { low_value, high_value }; }
+    FloatRange depthRange() const { return { near_depth, far_depth }; }
     //! alpha in 1/256.
     int alphaWeight() const { return cvRound(alpha * 256); }
 };
