@@ -26,10 +26,9 @@ namespace {
 class Wave
 {
 public:
-    Wave(const WaveTables& t, Moves& moves)
-        : table_(maskTable()), choice_(t.choice), features_(t.features.data()), rules_(t.rules),
-          all_permitted_(rules_.markers.empty() && !rules_.guard), sums_(t.regions.sums.data()), labels_(t.labels),
-          masks_(t.masks), marks_(t.marks), lists_(t.lists), bands_(t.bands), moves_(moves)
+    Wave(const WaveTables& tables, Moves& moves)
+        : t_(tables), mask_table_(maskTable()), all_permitted_(t_.rules.markers.empty() && !t_.rules.guard),
+          moves_(moves)
     {
     }
 
@@ -37,7 +36,7 @@ public:
     void run(const ClassRows& classes)
     {
         const int ORDER[NUM_CLASSES] = { 0, 2, 1, 3 }, LAGS[NUM_CLASSES] = { 0, 1, 1, 2 };
-        const int at_once = choice_.needsPlaces() ? 1 : ROWS_AT_ONCE;
+        const int at_once = t_.choice.needsPlaces() ? 1 : ROWS_AT_ONCE;
         for (int row = classes.rows[0].start; row < classes.rows[3].end + LAGS[3]; row += at_once)
             for (int i = 0; i < NUM_CLASSES; i++)
             {
@@ -53,43 +52,45 @@ private:
     {
         for (int row = rows.start, end; row < rows.end; row = end)
         {
-            const int band = bands_.of(row);
-            end = std::min(rows.end, bands_.first(band + 1));
-            sweepPart(2 * row + (c >> 1), lists_.of(band).part(c, Range(row, end)));
+            const int band = t_.bands.of(row);
+            end = std::min(rows.end, t_.bands.first(band + 1));
+            sweepPart(2 * row + (c >> 1), t_.lists.of(band).part(c, Range(row, end)));
         }
     }
 
     //! Pixels of a class. If places are needed, all lie in row y.
     void sweepPart(int y, const BoundaryList::Part& part)
     {
+        const RegionSum* const sums = t_.regions.sums.data();
         for (int first = 0; first < part.count; first += RegionChoice::BATCH)
         {
             RegionChoice::Gain gains[RegionChoice::BATCH];
             const int count = std::min<int>(part.count - first, RegionChoice::BATCH);
-            const int n = choice_.findGains(part.pixels + first, count, y, gains);
+            const int n = t_.choice.findGains(part.pixels + first, count, y, gains);
             for (int i = 0; i < n; i++)
-                if (sums_[gains[i].region].area <= rules_.most_area &&
-                    (all_permitted_ || permits(labels_.point(gains[i].pixel), gains[i].region)))
+                if (sums[gains[i].region].area <= t_.rules.most_area &&
+                    (all_permitted_ || permits(t_.labels.point(gains[i].pixel), gains[i].region)))
                     move(gains[i]);
         }
     }
 
     bool permits(Point p, int to) const
     {
-        return (rules_.markers.empty() || rules_.markers.at<int>(p) < 0) &&
-               (!rules_.guard || rules_.guard->permits(p, labels_.row(p.y)[p.x], to));
+        const SweepRules& rules = t_.rules;
+        return (rules.markers.empty() || rules.markers.at<int>(p) < 0) &&
+               (!rules.guard || rules.guard->permits(p, t_.labels.row(p.y)[p.x], to));
     }
 
     void move(const RegionChoice::Gain& to)
     {
-        int& label = labels_.data()[to.pixel];
-        if (!rules_.last)
+        int& label = t_.labels.data()[to.pixel];
+        if (!t_.rules.last)
         {
-            moves_.add({ to.pixel, label, to.region, features_[to.pixel] });
-            markAround(marks_.data() + to.pixel);
+            moves_.add({ to.pixel, label, to.region, t_.features.data()[to.pixel] });
+            markAround(t_.marks.data() + to.pixel);
         }
         label = to.region;
-        changeMasks(masks_.data() + to.pixel, to.mask);
+        changeMasks(t_.masks.data() + to.pixel, to.mask);
     }
 
     //! @note Loads of words come before stores of bytes, because a load of what was just stored in parts is slow.
@@ -98,10 +99,10 @@ private:
         const int changed = *mask | own_mask;
         for (int row = 0; row < 3; row++)
         {
-            uchar* bytes = mask + (row - 1) * labels_.step() - (row == 2 ? 2 : 1); // never behind the last row
+            uchar* bytes = mask + (row - 1) * t_.labels.step() - (row == 2 ? 2 : 1); // never behind the last row
             unsigned masks, changes;
             memcpy(&masks, bytes, sizeof(masks));
-            memcpy(&changes, table_.changes(changed, row), sizeof(changes));
+            memcpy(&changes, mask_table_.changes(changed, row), sizeof(changes));
             masks ^= changes;
             memcpy(bytes, &masks, sizeof(masks));
         }
@@ -111,20 +112,12 @@ private:
     //! Marks the pixel of a move and its 4-neighbours.
     void markAround(uchar* mark)
     {
-        mark[0] = mark[-1] = mark[1] = mark[-marks_.step()] = mark[marks_.step()] = 1;
+        mark[0] = mark[-1] = mark[1] = mark[-t_.marks.step()] = mark[t_.marks.step()] = 1;
     }
 
-    const MaskTable& table_;
-    const RegionChoice& choice_;
-    const Feature* const features_;
-    const SweepRules& rules_;
+    const WaveTables t_;
+    const MaskTable& mask_table_;
     const bool all_permitted_;
-    const RegionSum* const sums_;
-    Padded<int>& labels_;
-    Padded<uchar>& masks_;
-    Padded<uchar>& marks_;
-    BandLists& lists_;
-    const Bands& bands_;
     Moves& moves_;
 };
 
