@@ -29,7 +29,7 @@ static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const Merge
     return length * length / (contrasts * std::sqrt(float(squared_distance) + NOISE));
 }
 
-static std::vector<Link> linksOf(MergeGraph& graph, const std::vector<MergeRegion>& regions)
+static std::vector<Link> linksOf(const MergeGraph& graph, const std::vector<MergeRegion>& regions)
 {
     std::vector<Link> links;
     graph.forEdges([&](const MergeEdge& edge)
@@ -71,7 +71,7 @@ static void spreadAlong(const std::vector<Link>& links, std::vector<Vec4f>& valu
     }
 }
 
-void MergeContexts::spread(const std::vector<MergeRegion>& regions, MergeGraph& graph)
+void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeGraph& graph)
 {
     CV_TRACE_FUNCTION();
     const int n = int(regions.size());

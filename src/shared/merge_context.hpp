@@ -26,7 +26,7 @@ public:
     void clear() { means_.clear(); }
     bool empty() const { return means_.empty(); }
     //! Lets those of regions spread along the edges of their graph, which are joined.
-    void spread(const std::vector<MergeRegion>& regions, MergeGraph& graph);
+    void spread(const std::vector<MergeRegion>& regions, const MergeGraph& graph);
     //! Adds those of a region to those of another one, which has a new area then.
     void unite(int from, int to, float area);
     //! Of all regions, or null.

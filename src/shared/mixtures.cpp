@@ -46,7 +46,7 @@ enum { NONE = -1 };
 } // namespace
 
 //! Those of narrow regions; of others, which have more pixels than neighbours beside them, none.
-static std::vector<Sides> findSides(MergeGraph& graph, const std::vector<MergeRegion>& records)
+static std::vector<Sides> findSides(const MergeGraph& graph, const std::vector<MergeRegion>& records)
 {
     std::vector<int> perimeters(records.size(), 0);
     graph.forEdges([&](const MergeEdge& edge)
@@ -92,7 +92,7 @@ static Mixture mixtureOf(int region, const Sides& sides, const std::vector<Merge
     return { is_nearer_to_b ? b : a, is_nearer_to_b ? a : b };
 }
 
-void findMixtures(MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs)
+void findMixtures(const MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs)
 {
     const int n = int(records.size());
     const std::vector<Sides> sides = findSides(graph, records);

@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Finds regions that are nothing but an edge: narrow ones between two others, with a colour on the straight line
 //! between theirs. Each of them shall unite with the one that it is more like and that is no mixture itself. The
 //! edges of the graph are joined. The smallest regions come first.
-void findMixtures(MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs);
+void findMixtures(const MergeGraph& graph, const std::vector<MergeRegion>& records, std::vector<MergePair>& pairs);
 
 }}} // namespace
 
