@@ -134,7 +134,7 @@ bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat
 
 RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors, const Regions& regions) const
 {
-    Change change = { std::vector<uchar>(errors.size()), 0, 0 };
+    Change change = { std::vector<uchar>(errors.size()), 0, 0, {} };
     for (int i = 0; i < regions.size(); i++)
     {
         const int64 area = regions.sums[i].area;
@@ -160,25 +160,24 @@ void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, 
 }
 
 //! Dissolves the regions that have changed. Those that are kept get the first numbers, and stay under their names.
-void RegionTracker::dissolveChanged(const Change& change, Mat& labels, Regions& regions)
+void RegionTracker::dissolveChanged(Change& change, Mat& labels, Regions& regions)
 {
     std::vector<int> numbers(regions.size(), int(UNSEEN));
-    names_.clear();
     for (int i = 0; i < regions.size(); i++)
         if (!change.changed[i])
         {
-            numbers[i] = int(names_.size());
-            regions.copy(i, int(names_.size()));
-            names_.push_back(i);
+            numbers[i] = int(change.names.size());
+            regions.copy(i, numbers[i]);
+            change.names.push_back(i);
         }
-    regions.resize(int(names_.size()));
+    regions.resize(int(change.names.size()));
     renumber(numbers, labels);
 }
 
 //! Floods where regions have changed, from as many markers as a new image would have there. Returns how many regions
 //! are kept.
-int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask,
-                                const Change& change, Padded<int>& labels, Regions& regions)
+int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change,
+                                Padded<int>& labels, Regions& regions)
 {
     const int num_regions = regions.size();
     Mat map = labels.view(), before, dissolved;
@@ -196,7 +195,7 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
                     plan.floodRuler(change.changed_area, num_markers),
                     plan.usualFloodArea(change.changed_area, num_markers), flood_buffers_, labels, regions);
     for (Point marker : markers)
-        names_.push_back(before.at<int>(marker));
+        change.names.push_back(before.at<int>(marker));
     return num_kept;
 }
 
@@ -215,7 +214,7 @@ void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int nu
     SimilarMerger merger(plan.flood_distance, trackedMergeRules(plan.merge_rules, num_kept), buffers, regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();
-    nameGroups(parents, areas, names_, num_kept, numbers);
+    nameGroups(parents, areas, change.names, num_kept, numbers);
     renumber(numbers, map);
     for (size_t i = 0; i < parents.size(); i++)
         if (parents[i] != int(i))

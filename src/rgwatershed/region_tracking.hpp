@@ -37,6 +37,7 @@ private:
     {
         std::vector<uchar> changed; // by region
         double changed_area, area;
+        std::vector<int> names; // once they are dissolved: labels that regions have, or had where new ones are
     };
 
     //! Sums of squared distances of the colours of blocks: to the mean of all, and to that of their region.
@@ -50,9 +51,9 @@ private:
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
     void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
                         Change& change, Padded<int>& labels, Regions& regions);
-    void dissolveChanged(const Change& change, Mat& labels, Regions& regions);
-    int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, const Change& change,
-                     Padded<int>& labels, Regions& regions);
+    static void dissolveChanged(Change& change, Mat& labels, Regions& regions);
+    int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change, Padded<int>& labels,
+                     Regions& regions);
     void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers, Change& change,
                   Padded<int>& labels, Regions& regions);
 
@@ -67,7 +68,6 @@ private:
     };
     Last last_;
 
-    std::vector<int> names_; // labels that the regions have, or had where new ones are
     FloodBuffers flood_buffers_;
     MarkerBuffers marker_buffers_;
     Mat gradient_, steps_;

@@ -35,11 +35,12 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
 
     makePyramid(frame, parameters.lab_input, plan.levels, masks_, features_);
     regions_.surfaces.present = false; // until they are measured, after the flood
+    std::vector<int> first_markers;
     if (!frame.markers.empty())
         floodFromUserMarkers(frame, plan);
     else if (!track(frame, mask, merge_buffers, plan))
     {
-        findRegions(plan, mask, merge_buffers);
+        first_markers = findRegions(plan, mask, merge_buffers);
         if (parameters.temporal)
         {
             tracker_.start(plan, features_[top], labels_[top], regions_);
@@ -48,7 +49,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     }
     settle(frame, plan, num_iterations);
     if (plan.merges_pixels)
-        mergePixels(frame, plan, num_iterations, merge_buffers);
+        mergePixels(frame, plan, first_markers, num_iterations, merge_buffers);
     iterateMore(frame, plan, num_iterations);
     if (parameters.temporal)
         tracker_.keep(plan, labels_[top].view());
@@ -70,17 +71,18 @@ bool RGWatershed::track(const Frame& frame, const Mat& mask, MergeBuffers& merge
     return true;
 }
 
-//! Steps 2 to 4.
-void RGWatershed::findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers)
+//! Steps 2 to 4. Returns the first markers of the regions that merging left; none if nothing was merged.
+std::vector<int> RGWatershed::findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers)
 {
     const int top = plan.levels.top;
     clearLabels(features_[top].size(), mask, labels_[top]);
     if (plan.takes_sides)
         edge_blocks_.takeSides(labels_[top], features_[top]);
     floodBlocks(plan, mask);
-    sweepAndMerge(plan, merge_buffers);
+    const std::vector<int> first_markers = sweepAndMerge(plan, merge_buffers);
     if (plan.takes_sides)
         edge_blocks_.takeBack(labels_[top], features_[top], regions_);
+    return first_markers;
 }
 
 //! Steps 2 and 3: more regions than asked for.
@@ -100,12 +102,11 @@ void RGWatershed::floodBlocks(const Plan& plan, const Mat& mask)
 
 //! Step 4, if there are more regions than asked for. Merging leaves regions that are small where the image varies, and
 //! large where it does not.
-void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
+std::vector<int> RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
-    first_markers_.clear();
     if (regions_.size() <= plan.num_regions)
-        return;
+        return std::vector<int>();
     MergeRules rules = plan.merge_rules;
     rules.in_cell = markers_.in_cell;
     const FeatureMap& features = features_[plan.levels.top];
@@ -115,7 +116,7 @@ void RGWatershed::sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers)
         sweeper.sweepAll(plan.sweeps_before_merging, features, plan.sweep_before_merging, labels, regions_);
     measureBlockTextures(features_, plan.levels, plan.flood_distance, labels, regions_.size(), steps_,
                          merge_buffers.textures);
-    first_markers_ = merge(plan, plan.levels.top, plan.num_regions, rules, UnionPlan(), merge_buffers);
+    return merge(plan, plan.levels.top, plan.num_regions, rules, UnionPlan(), merge_buffers);
 }
 
 //! Regions of a level. Large buffers are given back, before others are needed. Returns which regions are left.
@@ -202,13 +203,14 @@ void RGWatershed::descend(const Frame& frame, const Plan& plan, int level)
 
 //! Where time matters least: the last unions are chosen when boundaries are settled, by the textures of regions, too.
 //! This follows what people see more than any number of smaller blocks. Where colours are even, cells of markers unite.
-void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers)
+void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, const std::vector<int>& first_markers,
+                              int num_iterations, MergeBuffers& merge_buffers)
 {
     CV_TRACE_FUNCTION();
     const Mat labels = labels_[0].view();
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules,
-          planUnions(first_markers_, markers_.in_cell, regions_.size()), merge_buffers);
+          planUnions(first_markers, markers_.in_cell, regions_.size()), merge_buffers);
     SweepRules rules = plan.sweepOn(0);
     rules.last = num_iterations == 1;
     sweepers_[0].sweepAll(1, features_[0], rules, labels_[0], regions_);

@@ -33,16 +33,17 @@ public:
     FeatureMap features() const { return features_[0]; }
 
 private:
-    void findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers);
+    std::vector<int> findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers);
     void floodBlocks(const Plan& plan, const Mat& mask);
-    void sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
+    std::vector<int> sweepAndMerge(const Plan& plan, MergeBuffers& merge_buffers);
     std::vector<int> merge(const Plan& plan, int level, int num_regions, const MergeRules& rules,
                            const UnionPlan& of_unions, MergeBuffers& merge_buffers);
     void floodFromUserMarkers(const Frame& frame, const Plan& plan);
     bool track(const Frame& frame, const Mat& mask, MergeBuffers& merge_buffers, Plan& plan);
     void settle(const Frame& frame, const Plan& plan, int num_iterations);
     void descend(const Frame& frame, const Plan& plan, int level);
-    void mergePixels(const Frame& frame, const Plan& plan, int num_iterations, MergeBuffers& merge_buffers);
+    void mergePixels(const Frame& frame, const Plan& plan, const std::vector<int>& first_markers, int num_iterations,
+                     MergeBuffers& merge_buffers);
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
@@ -53,7 +54,6 @@ private:
     EdgeBlocks edge_blocks_;
     RegionTracker tracker_;
     NormalTrust normal_trust_;
-    std::vector<int> first_markers_; // of the regions of blocks that merging left; empty: nothing was merged
 
     // Buffers.
     Mat gradient_, steps_;
