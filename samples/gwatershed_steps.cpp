@@ -58,7 +58,7 @@ static Steps runSteps(const Mat& image, int num_superpixels)
     Steps steps;
     steps.block = plan.levels.side(plan.levels.top);
 
-    gws::FeatureMap pyramid[gws::MAX_LEVEL + 1];
+    gws::PyramidLevel pyramid[gws::MAX_LEVEL + 1];
     gws::makePyramid(frame, false, plan.levels, no_mask, pyramid);
     gws::FeatureMap& blocks = pyramid[plan.levels.top];
     gws::Padded<int> labels;

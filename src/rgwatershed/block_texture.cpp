@@ -99,7 +99,7 @@ static void addSteps(const Mat& steps, const Padded<int>& labels, std::vector<Re
 }
 
 //! @note The steps are found in parallel; what is left are few additions for each block.
-void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
+void measureBlockTextures(const PyramidLevel* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,
                           std::vector<RegionTexture>& textures)
 {

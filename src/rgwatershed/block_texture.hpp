@@ -15,7 +15,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! They count half, as those of pixels do, of which every second row counts. Pixels that are merged as they are have no
 //! textures.
 //! `steps` is a buffer.
-void measureBlockTextures(const FeatureMap* pyramid, const BlockLevels& levels, const RegionDistance& distance,
+void measureBlockTextures(const PyramidLevel* pyramid, const BlockLevels& levels, const RegionDistance& distance,
                           const Padded<int>& labels, int num_regions, Mat& steps,
                           std::vector<RegionTexture>& textures);
 

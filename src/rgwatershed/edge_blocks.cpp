@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/edge_blocks.hpp"
+#include "rgwatershed/region_labels.hpp"
 #include "rgwatershed/tuning.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {

@@ -213,7 +213,7 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
     }
 }
 
-static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureMap* features)
+static void createLevels(const Frame& frame, const BlockLevels& levels, PyramidLevel* features)
 {
     for (int level = 0; level <= levels.top; level++)
     {
@@ -231,7 +231,7 @@ static void createLevels(const Frame& frame, const BlockLevels& levels, FeatureM
 
 //! Some rows of a level, those of a band.
 static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& levels, int level, const Range& rows,
-                     int band, FeatureMap* features)
+                     int band, PyramidLevel* features)
 {
     const Mat &color = frame.color, &depth = frame.depth;
     if (level == 0)
@@ -246,7 +246,7 @@ static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& leve
     makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level], lost_depths);
 }
 
-void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions& regions)
+void addLostDepths(const PyramidLevel& blocks, const Padded<int>& labels, Regions& regions)
 {
     for (const std::vector<LostDepth>& band : blocks.lost_depths)
         for (const LostDepth& lost : band)
@@ -272,7 +272,7 @@ static void fillHoles(const Mat& mask, const Mat& blocks, const Range& rows, Pad
 
 //! All levels of a band, of which some rows of the last level are known; its blocks are whole.
 static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
-                     const Range& top_rows, int band, FeatureMap* features)
+                     const Range& top_rows, int band, PyramidLevel* features)
 {
     Range rows[MAX_LEVEL + 1]; // on each level
     rows[levels.top] = top_rows;
@@ -290,7 +290,7 @@ static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& leve
 }
 
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
-                 FeatureMap* features)
+                 PyramidLevel* features)
 {
     CV_TRACE_FUNCTION();
     createLevels(frame, levels, features);

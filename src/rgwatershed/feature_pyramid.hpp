@@ -37,15 +37,28 @@ struct BlockLevels
     }
 };
 
+//! What the depth of a block at a step leaves out of the sum over its elements.
+struct LostDepth
+{
+    Point block;
+    int sum;
+};
+
+//! The features of a level.
+struct PyramidLevel : FeatureMap
+{
+    std::vector<std::vector<LostDepth> > lost_depths; //!< by bands of rows
+};
+
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;
 //! where some of them are missing, the last one stands for them. At a step, its depth is that of one side.
 //! Normals, if there are any, are those of blocks of 2x2 pixels; larger blocks have their means.
 void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
-                 FeatureMap* features);
+                 PyramidLevel* features);
 
 //! Adds to the sums of regions of blocks, divided, what the depths of blocks at a step leave out: the other side of it.
 //! Then they are the sums over the elements, which move to other regions one by one.
-void addLostDepths(const FeatureMap& blocks, const Padded<int>& labels, Regions& regions);
+void addLostDepths(const PyramidLevel& blocks, const Padded<int>& labels, Regions& regions);
 
 }}} // namespace
 

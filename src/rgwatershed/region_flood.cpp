@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/flood_priority.hpp"
+#include "rgwatershed/region_labels.hpp"
 #include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {

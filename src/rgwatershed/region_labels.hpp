@@ -6,9 +6,16 @@
 #define OPENCV_GWATERSHED_REGION_LABELS_HPP
 
 #include "rgwatershed/block_grid.hpp"
-#include "shared/regions.hpp"
+#include "shared/padded.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
+
+//! Labels of RGWATERSHED while it works: regions are 0..n-1.
+enum RegionLabel
+{
+    UNSEEN = -1,       //!< not reached by any region
+    OUTSIDE = INT_MIN  //!< around the image, or outside of the mask
+};
 
 //! Labels of blocks of 2x2 or 3x3 pixels to some rows of the pixels.
 void spreadLabels(const Padded<int>& blocks, const BlockGrid& grid, const Range& rows, Padded<int>& labels);

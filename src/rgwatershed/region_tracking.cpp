@@ -6,6 +6,7 @@
 #include "rgwatershed/region_tracking.hpp"
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_texture.hpp"
+#include "rgwatershed/region_labels.hpp"
 #include "rgwatershed/region_names.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/region_measure.hpp"
@@ -101,7 +102,7 @@ bool RegionTracker::hasSameBlocks(const BlockLevels& levels, Size image) const
     return side == last_.side && (levels.centered == last_.centered || !has_short_ones);
 }
 
-bool RegionTracker::track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
+bool RegionTracker::track(const Plan& plan, const PyramidLevel* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                           MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions)
 {
     CV_TRACE_FUNCTION();
@@ -146,7 +147,7 @@ RegionTracker::Change RegionTracker::findChange(const std::vector<int64>& errors
 }
 
 //! The errors of the new regions are what later ones are measured by.
-void RegionTracker::replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask,
+void RegionTracker::replaceChanged(const Plan& plan, const PyramidLevel* pyramid, const Mat& mask,
                                    MergeBuffers& merge_buffers, Change& change, Padded<int>& labels, Regions& regions)
 {
     const FeatureMap& features = pyramid[plan.levels.top];
@@ -201,7 +202,7 @@ int RegionTracker::floodChanged(const Plan& plan, const FeatureMap& features, co
 
 //! Merges the most similar regions, wherever they are, until as many are left as there were, and gives them their
 //! labels. What was merged has changed, too.
-void RegionTracker::mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers,
+void RegionTracker::mergeAll(const Plan& plan, const PyramidLevel* pyramid, int num_kept, MergeBuffers& buffers,
                              Change& change, Padded<int>& labels, Regions& regions)
 {
     const FeatureMap& features = pyramid[plan.levels.top];

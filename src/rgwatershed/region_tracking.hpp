@@ -28,7 +28,7 @@ public:
     //! than when they were made are replaced by new ones. mask is that of the blocks, or empty. Returns false, with
     //! labels and regions that are of no use, if most of the scene is new, if the last frame was mere noise beside this
     //! one, if it was even, or if other blocks were flooded.
-    bool track(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, BoundarySweeper& sweeper,
+    bool track(const Plan& plan, const PyramidLevel* pyramid, const Mat& mask, BoundarySweeper& sweeper,
                MergeBuffers& merge_buffers, Padded<int>& labels, Regions& regions);
 
 private:
@@ -49,12 +49,12 @@ private:
     static Variation variationOf(double squares, const Regions& regions);
     bool hasSameBlocks(const BlockLevels& levels, Size image) const;
     Change findChange(const std::vector<int64>& errors, const Regions& regions) const;
-    void replaceChanged(const Plan& plan, const FeatureMap* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
+    void replaceChanged(const Plan& plan, const PyramidLevel* pyramid, const Mat& mask, MergeBuffers& merge_buffers,
                         Change& change, Padded<int>& labels, Regions& regions);
     static void dissolveChanged(Change& change, Mat& labels, Regions& regions);
     int floodChanged(const Plan& plan, const FeatureMap& features, const Mat& mask, Change& change, Padded<int>& labels,
                      Regions& regions);
-    void mergeAll(const Plan& plan, const FeatureMap* pyramid, int num_kept, MergeBuffers& buffers, Change& change,
+    void mergeAll(const Plan& plan, const PyramidLevel* pyramid, int num_kept, MergeBuffers& buffers, Change& change,
                   Padded<int>& labels, Regions& regions);
 
     //! What a frame leaves for the next one.

@@ -30,7 +30,7 @@ public:
     Mat labels() { return labels_[0].view(); }
 
     //! Features of the pixels of the last run.
-    FeatureMap features() const { return features_[0]; }
+    const FeatureMap& features() const { return features_[0]; }
 
 private:
     std::vector<int> findRegions(const Plan& plan, const Mat& mask, MergeBuffers& merge_buffers);
@@ -47,7 +47,7 @@ private:
     void iterateMore(const Frame& frame, const Plan& plan, int num_iterations);
 
     MaskPyramid masks_;
-    FeatureMap features_[MAX_LEVEL + 1];
+    PyramidLevel features_[MAX_LEVEL + 1];
     Padded<int> labels_[MAX_LEVEL + 1];
     Regions regions_;
     BoundarySweeper sweepers_[MAX_LEVEL + 1];

@@ -74,13 +74,6 @@ private:
     }
 };
 
-//! What the depth of a block at a step leaves out of the sum over its elements.
-struct LostDepth
-{
-    Point block;
-    int sum;
-};
-
 //! Features of the pixels of an image, or of the blocks of a level, and beside them their normals, if there are any.
 //! Normals change slowly, so pixels have those of blocks of 2x2.
 struct FeatureMap : Padded<Feature>
@@ -88,7 +81,6 @@ struct FeatureMap : Padded<Feature>
     Mat normals;          //!< CV_8UC2, as Normal; empty if there are none
     int normal_shift = 0; //!< an element of normals is that of 2^normal_shift elements, along both axes
     Camera camera;        //!< of the normals, in elements of this map
-    std::vector<std::vector<LostDepth> > lost_depths; //!< by bands of rows
 
     bool withNormals() const { return !normals.empty(); }
     const Normal* normalsOfRow(int y) const { return normals.ptr<Normal>(y >> normal_shift); }

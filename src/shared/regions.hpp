@@ -9,13 +9,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Labels of RGWATERSHED while it works: regions are 0..n-1.
-enum RegionLabel
-{
-    UNSEEN = -1,       //!< not reached by any region
-    OUTSIDE = INT_MIN  //!< around the image, or outside of the mask
-};
-
 //! Means over the pixels of a region, in steps.
 struct RegionMean
 {
