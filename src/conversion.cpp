@@ -117,6 +117,15 @@ private:
         return x % channels_ < colors_ && (mask_.empty() || mask_.at<uchar>(y, x / channels_));
     }
 
+    //! The values of row y that do not count become NaN.
+    void eraseOthers(int y, T* values) const
+    {
+        const uchar* const inside = mask_.empty() ? 0 : mask_.ptr(y);
+        for (int x = 0; x < image_.cols; x++, values += channels_)
+            std::fill(values + (!inside || inside[x] ? colors_ : 0), values + channels_,
+                      std::numeric_limits<T>::quiet_NaN());
+    }
+
     static bool isFinite(T value) { return std::abs(value) <= std::numeric_limits<T>::max(); }
 
     //! Calls visit(values, count) for the rows; those that do not count are NaN.
@@ -131,9 +140,8 @@ private:
                 const bool as_it_is = all && image_.depth() == DataType<T>::depth;
                 if (!as_it_is)
                     image_.row(y).convertTo(values, DataType<T>::depth);
-                for (int x = 0; !all && x < row_.width; x++)
-                    if (!counts(y, x))
-                        values.ptr<T>()[x] = std::numeric_limits<T>::quiet_NaN();
+                if (!all)
+                    eraseOthers(y, values.ptr<T>());
                 visit(as_it_is ? image_.ptr<T>(y) : values.ptr<T>(), row_.width);
             }
         });
