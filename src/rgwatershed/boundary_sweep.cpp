@@ -9,25 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The last sweep makes no marks.
-void BoundarySweeper::begin(Size size, bool last)
-{
-    masks_.create(size, uchar(INTERIOR));
-    if (!last)
-        marks_.create(size, uchar(0));
-}
-
 //! The rows of pixels in some rows of quads.
 static Range pixelRows(const Range& rows, int height) { return Range(2 * rows.start, std::min(2 * rows.end, height)); }
-
-//! Lists the whole boundary in some rows of quads, which have no marks yet.
-void BoundarySweeper::listAll(const Range& rows, bool last, BoundaryList& list)
-{
-    const Range pixel_rows = pixelRows(rows, masks_.size().height);
-    for (int y = pixel_rows.start; y < pixel_rows.end && !last; y++)
-        std::fill_n(marks_.row(y), marks_.size().width, uchar(0));
-    listBoundary(masks_, rows, list);
-}
 
 //! Reads the pixels of some rows of quads once, in order, before a sweep reads them here and there: so they come into
 //! the cache faster.
@@ -51,35 +34,43 @@ static SweepRules rulesOfOne(const SweepRules& rules, int num_following)
     return of_one;
 }
 
-//! Masks may be found band by band: the rows beside another band have not moved when it begins.
+//! Masks may be found band by band: the rows beside another band have not moved when it begins. The last sweep makes no
+//! marks.
+void BoundarySweeper::sweepFrom(const MaskFinder& find, int count, const FeatureMap& features,
+                                const SweepRules& rules, Padded<int>& labels, Regions& regions)
+{
+    const SweepRules first = rulesOfOne(rules, count - 1);
+    const Size size = features.size();
+    masks_.create(size, uchar(INTERIOR));
+    if (!first.last)
+        marks_.create(size, uchar(0));
+    sweep([&](const Range& rows, BoundaryList& list)
+    {
+        const Range pixel_rows = pixelRows(rows, size.height);
+        find(pixel_rows);
+        for (int y = pixel_rows.start; y < pixel_rows.end && !first.last; y++)
+            std::fill_n(marks_.row(y), size.width, uchar(0));
+        listBoundary(masks_, rows, list);
+    }, features, first, labels, regions);
+    sweepAgain(count - 1, features, rules, labels, regions);
+}
+
 void BoundarySweeper::sweepAll(int count, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                                Regions& regions)
 {
-    const SweepRules first = rulesOfOne(rules, count - 1);
-    begin(labels.size(), first.last);
-    sweep([&](const Range& rows, BoundaryList& list)
-    {
-        findMasks(labels, pixelRows(rows, labels.size().height), masks_);
-        listAll(rows, first.last, list);
-    }, features, first, labels, regions);
-    sweepAgain(count - 1, features, rules, labels, regions);
+    sweepFrom([&](const Range& rows) { findMasks(labels, rows, masks_); }, count, features, rules, labels, regions);
 }
 
 void BoundarySweeper::sweepBlocks(int count, const BoundarySweeper& of_blocks, const Padded<int>& blocks,
                                   const BlockGrid& grid, const FeatureMap& features, const SweepRules& rules,
                                   Padded<int>& labels, Regions& regions)
 {
-    const SweepRules first = rulesOfOne(rules, count - 1);
-    begin(features.size(), first.last);
     labels.create(features.size(), OUTSIDE);
-    sweep([&](const Range& rows, BoundaryList& list)
+    sweepFrom([&](const Range& rows)
     {
-        const Range pixel_rows = pixelRows(rows, labels.size().height);
-        spreadLabels(blocks, grid, pixel_rows, labels);
-        findMasksInBlocks(of_blocks.masks_, grid, pixel_rows, masks_);
-        listAll(rows, first.last, list);
-    }, features, first, labels, regions);
-    sweepAgain(count - 1, features, rules, labels, regions);
+        spreadLabels(blocks, grid, rows, labels);
+        findMasksInBlocks(of_blocks.masks_, grid, rows, masks_);
+    }, count, features, rules, labels, regions);
 }
 
 void BoundarySweeper::sweepAgain(int count, const FeatureMap& features, const SweepRules& rules,

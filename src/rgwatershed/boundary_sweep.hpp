@@ -39,8 +39,11 @@ private:
     //! Lists the pixels that a sweep looks at in some rows of quads.
     typedef std::function<void(const Range& rows, BoundaryList& list)> List;
 
-    void begin(Size size, bool last);
-    void listAll(const Range& rows, bool last, BoundaryList& list);
+    //! Finds the masks of some rows of pixels.
+    typedef std::function<void(const Range& rows)> MaskFinder;
+
+    void sweepFrom(const MaskFinder& find, int count, const FeatureMap& features, const SweepRules& rules,
+                   Padded<int>& labels, Regions& regions);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
     Bands bands() const { return Bands((masks_.size().height + 1) / 2); }
