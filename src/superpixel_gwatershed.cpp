@@ -21,7 +21,7 @@ namespace {
 //! Turns the exception of the standard library for a lack of memory into that of OpenCV.
 template <typename Work> void guardMemory(Work work)
 {
-    const auto refuse = [] { CV_Error(Error::StsNoMem, "Not enough memory for an image of this size"); };
+    const auto refuse = [] { CV_Error(Error::StsNoMem, "Not enough memory"); };
     try
     {
         work();
@@ -272,9 +272,13 @@ public:
     void read(const FileNode& fn) CV_OVERRIDE
     {
         const gws::Writing use(in_use_);
-        parameters_ = gws::Parameters::read(fn);
+        guardMemory([&]() { parameters_ = gws::Parameters::read(fn); });
     }
-    void clear() CV_OVERRIDE { const gws::Writing use(in_use_); *this = SuperpixelGWatershedImpl(parameters_); }
+    void clear() CV_OVERRIDE
+    {
+        const gws::Writing use(in_use_);
+        guardMemory([&]() { *this = SuperpixelGWatershedImpl(parameters_); });
+    }
     bool empty() const CV_OVERRIDE { const gws::Reading use(in_use_); return result_.empty(); }
     String getDefaultName() const CV_OVERRIDE { return "SuperpixelGWatershed"; }
 

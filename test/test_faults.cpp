@@ -286,6 +286,36 @@ TEST_P(ximgproc_GWatershed_faults, questions_change_nothing)
     }
 }
 
+TEST_P(ximgproc_GWatershed_faults, objects_are_cleared_and_read_or_stay_as_they_are)
+{
+    ThreadsGuard one(1);
+    const Stream stream(get<0>(GetParam()));
+    const Mat expected = stream.labelsOfFresh(nothing);
+    FileStorage out("", FileStorage::WRITE | FileStorage::MEMORY | FileStorage::FORMAT_YAML);
+    stream.makeObject(nothing)->write(out);
+    const FileStorage in(out.releaseAndGetString(), FileStorage::READ | FileStorage::MEMORY);
+    const FileNode parameters = in.root();
+    const Action actions[] = {
+        [](SuperpixelGWatershed& gws) { gws.clear(); },
+        [&](SuperpixelGWatershed& gws) { gws.read(parameters); }
+    };
+    for (int i = 0; i < 2; i++)
+        failEverywhere(get<1>(GetParam()),
+            [&]()
+            {
+                Ptr<SuperpixelGWatershed> gws = stream.makeObject(nothing);
+                stream.iterate(*gws);
+                return gws;
+            },
+            actions[i],
+            [&](const Ptr<SuperpixelGWatershed>& gws, bool failed)
+            {
+                EXPECT_EQ(i == 0 && !failed, gws->empty());
+                stream.iterate(*gws);
+                EXPECT_TRUE(equalMats(expected, labelsOf(gws)));
+            });
+}
+
 TEST_P(ximgproc_GWatershed_faults, factories_throw_or_make_an_object)
 {
     ThreadsGuard one(1);
