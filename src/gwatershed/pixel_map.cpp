@@ -77,29 +77,27 @@ public:
     //! distances: of the pixel at the left, and the frame at both ends, in cols + 1 elements.
     void compareBeside(int y, uchar* distances) const
     {
-        const uchar* row = color_.ptr(y);
-        const uchar* depth = depth_.empty() ? 0 : depth_.ptr(y);
         distances[0] = distances[color_.cols] = 0;
-        compare(row, row + color_.channels(), depth, depth ? depth + 1 : 0, color_.cols - 1, distances + 1);
+        compare(y, y, 1, distances + 1);
     }
 
     //! To the row above; nothing is compared at the borders of the image.
     void compareAbove(int y, uchar* distances) const
     {
         if (y > 0 && y < color_.rows)
-            compare(color_.ptr(y - 1), color_.ptr(y), depth_.empty() ? 0 : depth_.ptr(y - 1),
-                    depth_.empty() ? 0 : depth_.ptr(y), color_.cols, distances);
+            compare(y - 1, y, 0, distances);
         else
             std::fill_n(distances, color_.cols, uchar(0));
     }
 
 private:
-    void compare(const uchar* p, const uchar* q, const uchar* depth_p, const uchar* depth_q, int n,
-                 uchar* distances) const
+    //! Row y with another one, whose pixels lie `shift` to the right.
+    void compare(int y, int other, int shift, uchar* distances) const
     {
-        compareColors(p, q, color_.channels(), n, distances);
-        if (depth_p)
-            weighDepth(depth_p, depth_q, n, alpha_, distances);
+        const int n = color_.cols - shift, cn = color_.channels();
+        compareColors(color_.ptr(y), color_.ptr(other) + shift * cn, cn, n, distances);
+        if (!depth_.empty())
+            weighDepth(depth_.ptr(y), depth_.ptr(other) + shift, n, alpha_, distances);
     }
 
     const Mat& color_;
