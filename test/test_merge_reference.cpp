@@ -242,7 +242,7 @@ std::vector<Mixture> findMixtures(const RegionMeasures& regions, double loosenes
     return mixtures;
 }
 
-std::vector<Vec4d> spreadContexts(const RegionMeasures& regions)
+std::vector<MergeContext> spreadContexts(const RegionMeasures& regions)
 {
     std::vector<Vec4d> values;
     for (size_t i = 0; i < regions.areas.size(); i++)
@@ -273,10 +273,31 @@ std::vector<Vec4d> spreadContexts(const RegionMeasures& regions)
             if (shares[i] > 0)
                 values[i] = sums[i] * (1 / shares[i]);
     }
-    return values;
+    std::vector<MergeContext> contexts;
+    for (size_t i = 0; i < values.size(); i++)
+    {
+        const Vec4d& v = values[i];
+        contexts.push_back(MergeContext(v[0], v[1], v[2], v[3], regions.means[i].dot(regions.means[i])));
+    }
+    return contexts;
 }
 
-std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<Vec4d>& contexts,
+//! The exponent that limits areas. Even regions side by side may make unions that are larger than usual.
+static CostSpan limitOfAreas(double na, double nb, double length, double larger_variation, double usual_area)
+{
+    CostSpan span = { INFINITE, -INFINITE };
+    for (const double& limit : { 0.98, 1., 1.02 })
+    {
+        const double relative_length = straightLog(length) - straightLog(std::min(na, nb)) / 2;
+        const bool may_be_larger = larger_variation <= 64 * limit && relative_length >= 0.5 * (1 - limit);
+        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? 0.25 : 0);
+        span.first = std::min(span.first, 32 * std::max(0., excess));
+        span.last = std::max(span.last, 32 * std::max(0., excess));
+    }
+    return span;
+}
+
+std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
                                           const std::vector<int>& parts)
 {
     const int n = int(regions.areas.size());
@@ -292,8 +313,11 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
         const int a = e.first.first, b = e.first.second;
         const double na = regions.areas[a], nb = regions.areas[b], l = e.second.first;
         const Vec3d d = means[a] - means[b];
-        const Vec4d c = contexts[a] - contexts[b];
-        const double spread_squared = c.dot(c) - c[3] * c[3];
+        const MergeContext c = contexts[a] - contexts[b];
+        const double spread_squared = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+        const double variation = std::max(contexts[a][4] - means[a].dot(means[a]),
+                                          contexts[b][4] - means[b].dot(means[b]));
+        const CostSpan limit_of_areas = limitOfAreas(na, nb, l, variation, usual_area);
         const Vec2d ta = regions.steps[a], tb = regions.steps[b];
         const double light = 16. / 7 * (na * means[a][0] + nb * means[b][0]); // as it is
         const bool of_a_part = parts[a] == parts[b];
@@ -303,22 +327,21 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
             const double explained = explainedBySlopes(slopeOf(regions.rises[a], ta, na, limit),
                                                        slopeOf(regions.rises[b], tb, nb, limit),
                                                        std::min(na, nb), d.dot(d), limit);
-            const double rest = of_a_part ? 0.1875 : 4 * explained + 1.5;
-            const double cost = 0.4375 * straightLog(d.dot(d) + rest) + 0.21875 * straightLog(spread_squared + rest);
+            const double rest = of_a_part ? 0.1875 : 6 * explained + 1.40625;
+            const double cost = 0.4375 * straightLog(d.dot(d) + rest) + 0.171875 * straightLog(spread_squared + rest);
             slopes.first = std::min(slopes.first, cost);
             slopes.last = std::max(slopes.last, cost);
         }
         const double rest = straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                             0.95 * (straightLog(e.second.second + l) - straightLog(l)) -
-                            0.59 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
-                            0.39 * straightLog(16 * std::abs(d[0]) + 7) -
+                            0.625 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                            0.3125 * straightLog(16 * std::abs(d[0]) + 7) -
                             0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
-                            0.16 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
+                            0.1875 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
                             1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
-                            0.34 * straightLog(std::abs(c[3]) + 0.1) +
-                            0.5 * std::abs(directionOf(ta, na) - directionOf(tb, nb)) +
-                            32 * std::max(0., straightLog(na + nb) - straightLog(usual_area));
-        costs[e.first] = { slopes.first + rest, slopes.last + rest };
+                            0.375 * straightLog(std::abs(c[3]) + 0.1) +
+                            0.625 * std::abs(directionOf(ta, na) - directionOf(tb, nb));
+        costs[e.first] = { slopes.first + limit_of_areas.first + rest, slopes.last + limit_of_areas.last + rest };
     }
     return costs;
 }

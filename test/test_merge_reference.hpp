@@ -35,8 +35,11 @@ struct Mixture
 //! Limits are times a factor, and the looser the larger it is.
 std::vector<Mixture> findMixtures(const RegionMeasures& regions, double looseness);
 
-//! Colours and logarithms of textures after they have spread eight times, each time to the neighbours, by likeness.
-std::vector<Vec4d> spreadContexts(const RegionMeasures& regions);
+//! Colour and logarithm of texture that have spread, and the squared length of the own colour. Those of unions are means.
+typedef Vec<double, 5> MergeContext;
+
+//! They spread eight times, each time to the neighbours, by likeness.
+std::vector<MergeContext> spreadContexts(const RegionMeasures& regions);
 
 //! The plan: tiles of about ten cells of a grid with a cell for each region are divided into halves, and these again.
 struct MergePlan
@@ -50,7 +53,7 @@ private:
     void divide(const std::vector<std::pair<Point, int> >& regions, int whole);
 };
 
-//! From the lowest to the highest: they differ where rounding decides whether a slope counts.
+//! From the lowest to the highest: they differ where rounding decides whether a slope, or a limit of areas, counts.
 struct CostSpan
 {
     double first, last;
@@ -58,7 +61,7 @@ struct CostSpan
 
 //! Logarithms of the cost for all neighbours, from the formula. Regions of a part have less noise between them, and no
 //! slope.
-std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<Vec4d>& contexts,
+std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
                                           const std::vector<int>& parts);
 
 } // namespace

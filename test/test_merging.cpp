@@ -140,9 +140,10 @@ size_t countUnionsOfMixtures(const Mat& image, const std::vector<Mat>& partition
 }
 
 //! The contexts of the regions of a partition, from those of an earlier one.
-std::vector<Vec4d> meanContexts(const std::vector<Vec4d>& contexts, const Mat& earlier, const Mat& labels, int n)
+std::vector<MergeContext> meanContexts(const std::vector<MergeContext>& contexts, const Mat& earlier, const Mat& labels,
+                                       int n)
 {
-    std::vector<Vec4d> means(n, Vec4d::all(0));
+    std::vector<MergeContext> means(n, MergeContext::all(0));
     std::vector<double> areas(n, 0.);
     for (int y = 0; y < labels.rows; y++)
         for (int x = 0; x < labels.cols; x++)
@@ -172,7 +173,7 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
         size_t num_mixtures = countUnionsOfMixtures(image, partitions, 0);
         num_mixtures += countUnionsOfMixtures(image, partitions, num_mixtures);
         const Mat first = partitions[0], unmixed = partitions[num_mixtures];
-        const std::vector<Vec4d> contexts =
+        const std::vector<MergeContext> contexts =
                 spreadContexts(RegionMeasures(image, first, unmixed, numberOfLabels(unmixed)));
         const MergePlan plan(first, num_first);
         const std::vector<RegionKey> first_keys = regionKeys(first, num_first);

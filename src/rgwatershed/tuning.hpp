@@ -155,7 +155,7 @@ inline MergeRules pixelMergeRules(float ruler, bool with_depth)
         rules.spread_texture = 12;
         rules.distance = 32;
     }
-    rules.usual = 3.2f; // no pattern has larger superpixels than 4 mean areas
+    rules.usual = with_depth ? 3.2f : 2.9f; // no pattern has larger superpixels than 4 mean areas
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;
 }

@@ -18,6 +18,11 @@ struct Link
 
 } // namespace
 
+static inline int squareOf(const short* color)
+{
+    return color[0] * color[0] + color[1] * color[1] + color[2] * color[2];
+}
+
 //! Less across contrasts and differences, more along long boundaries.
 static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const MergeRegion& b)
 {
@@ -76,6 +81,7 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeG
     CV_TRACE_FUNCTION();
     const int n = int(regions.size());
     sums_.resize(n);
+    squares_.resize(n);
     means_.resize(n);
     for (int i = 0; i < n; i++)
         sums_[i] = Vec4f(regions[i].mean[0], regions[i].mean[1], regions[i].mean[2], regions[i].texture);
@@ -83,22 +89,31 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeG
     for (int i = 0; i < n; i++)
     {
         sums_[i] *= regions[i].area;
-        takeMean(i, regions[i].area);
+        squares_[i] = double(regions[i].area) * squareOf(regions[i].mean);
+        update(i, regions[i]);
     }
 }
 
-void MergeContexts::takeMean(int region, float area)
+void MergeContexts::update(int number, const MergeRegion& region)
 {
-    const Vec4f mean = sums_[region] * (1 / area);
+    MergeContext& mean = means_[number];
+    const Vec4f of_pixels = sums_[number] * (1 / region.area);
     for (int k = 0; k < 3; k++)
-        means_[region].color[k] = short(cvRound(mean[k]));
-    means_[region].texture = short(cvRound(mean[3]));
+        mean.color[k] = short(cvRound(of_pixels[k]));
+    mean.texture = short(cvRound(of_pixels[3]));
+    mean.variation = cvRound(squares_[number] / region.area - squareOf(region.mean));
 }
 
-void MergeContexts::unite(int from, int to, float area)
+void MergeContexts::update(const std::vector<int>& numbers, const std::vector<MergeRegion>& regions)
+{
+    for (int i : numbers)
+        update(i, regions[i]);
+}
+
+void MergeContexts::unite(int from, int to)
 {
     sums_[to] += sums_[from];
-    takeMean(to, area);
+    squares_[to] += squares_[from];
 }
 
 }}} // namespace

@@ -10,11 +10,12 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! What has spread to a region from all around it: mean colour and texture, as MergeRegion has them.
+//! What is known of a region beside what it is itself.
 struct MergeContext
 {
-    short color[3];
-    short texture;
+    short color[3]; //!< that has spread to it from all around, as MergeRegion has it
+    short texture;  //!< the same
+    int variation;  //!< mean squared difference of what it was united of from its mean colour, in that unit squared
 };
 
 //! Colours and textures that have spread from each region to its neighbours, the more the more these are like it, and
@@ -27,15 +28,18 @@ public:
     bool empty() const { return means_.empty(); }
     //! Lets those of regions spread along the edges of their graph, which are joined.
     void spread(const std::vector<MergeRegion>& regions, const MergeGraph& graph);
-    //! Adds those of a region to those of another one, which has a new area then.
-    void unite(int from, int to, float area);
+    //! Adds those of a region to those of another one.
+    void unite(int from, int to);
+    //! Takes the means of some regions anew.
+    void update(const std::vector<int>& numbers, const std::vector<MergeRegion>& regions);
     //! Of all regions, or null.
     const MergeContext* data() const { return empty() ? nullptr : means_.data(); }
 
 private:
-    void takeMean(int region, float area);
+    void update(int number, const MergeRegion& region);
 
-    std::vector<Vec4f> sums_; // over the areas
+    std::vector<Vec4f> sums_;     // over the areas
+    std::vector<double> squares_; // of the lengths of own colours, over the areas
     std::vector<MergeContext> means_;
 };
 

@@ -57,7 +57,7 @@ inline MergeRules mergeByTextures()
     rules.brightness = 30;
     rules.chroma = 10;
     rules.texture = 75;
-    rules.direction = 32;
+    rules.direction = 40;
     rules.uneven = 0.75f;
     rules.chroma_slope = 3;
     rules.slope = 4; // but none in a part of a plan: so the plan holds on a ramp, too
@@ -73,10 +73,14 @@ inline MergeRules mergeByTextures()
 inline MergeRules mergeByContext()
 {
     MergeRules rules = mergeByTextures();
-    rules.spread = 14;
-    rules.spread_texture = 22;
+    rules.spread = 11;
+    rules.spread_texture = 24;
     rules.distance = 28;
-    rules.length = 38;
+    rules.length = 40;
+    rules.lightness = 20;
+    rules.chroma = 12;
+    rules.noise = 90;
+    rules.slope = 6; // differences of lightness, which slopes are too, count more than without contexts
     return rules;
 }
 

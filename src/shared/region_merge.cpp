@@ -285,9 +285,11 @@ void SimilarMerger::unite(const MergePair* first, const MergePair* end, std::vec
     for (const MergePair* pair = first; pair != end; pair++)
         regions_.unite(pair->from, pair->to);
     for (const MergePair* pair = first; pair != end && !b_.contexts.empty(); pair++)
-        b_.contexts.unite(pair->from, pair->to, float(regions_.sums[pair->to].area));
+        b_.contexts.unite(pair->from, pair->to);
     regions_.update(grown);
     describer_.describe(grown, b_.records);
+    if (!b_.contexts.empty())
+        b_.contexts.update(grown, b_.records);
 }
 
 }}} // namespace

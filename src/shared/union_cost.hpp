@@ -28,7 +28,8 @@ struct FourRegions;
 //!     larger r / smaller r                    direction    RegionTexture for each pixel; r = (a + 0.5) / (b + 0.5)
 //!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
 //!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
-//!     max(1, s (n1 + n2) / usual area)        32           s = root of max(1, root of the smaller n / l), or 1
+//!     max(1, s (n1 + n2) / (u usual area))    32           s = root of max(1, root of the smaller n / l), or 1;
+//!                                                          u = 1.2 between even regions side by side, or 1
 //!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
 //!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
 //!     g  mean rises of lightness across and down, half of those from one element to the next
@@ -39,7 +40,9 @@ struct FourRegions;
 //! a plan. Between rough regions, differences mean less; texture that is not measured is none. Without the limit of
 //! areas, a region with both colours of a pattern, nearer to all around it than these to each other, would take in one
 //! after the other. s is more than 1 only where regions grow later, for strips that meet end to end: they may become
-//! twice as broad. `mixed` lets go what is made of blocks astride of an edge, or a sliver would be left of it.
+//! twice as broad. Where contexts count, u is more if l is at least the root of the smaller n, and if the colours that
+//! each region was united of deviate by 8 levels at most: then it has one colour of a pattern. `mixed` lets go what is
+//! made of blocks astride of an edge, or a sliver would be left of it.
 //! slope < 0 lets parts of a shaded area unite in all directions; > 0 keeps a ramp from becoming strips, as all of them
 //! differ like those along the slope. Parts of a plan are compact without it. Colours shade where chroma rises by 0.1
 //! to 3 levels, and a + b is at most the rises of all channels, `uneven` and a twentieth of those of chroma. Then g is
@@ -60,6 +63,7 @@ private:
     void findFour(MergeEdge* edges) const;
     v_int32x4 addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b, const FourAreas& areas,
                         const v_int32x4& sum) const;
+    v_int32x4 largerThanUsual(const MergeEdge* edges, const v_int32x4& relative_length) const;
     v_int32x4 addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const;
     v_int32x4 addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
                           const v_int32x4& sum) const;
