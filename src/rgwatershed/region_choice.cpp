@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/region_choice.hpp"
+#include "shared/bit_positions.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -26,36 +27,41 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
     }
 }
 
-int RegionChoice::squaredDistance(int pixel, int y, int region) const
+//! Lists the numbers i below n where test(i), of four at once, is below 0. Returns how many.
+template <typename Test> static inline int listWhere(int n, const Test& test, int* list)
 {
-    const Feature& feature = features_[pixel];
-    const RegionMean& mean = means_[region];
-    if (!distance_.with_surfaces)
-        return distance_.squared(feature, mean);
-    const Point p(pixel - map_.index(Point(0, y)), y);
-    return distance_.squared(feature, map_.normalAt(p), mean, surfaces_[region], p);
+    const int AT_ONCE = RegionChoice::AT_ONCE;
+    const BitPositions& table = bitPositions();
+    int* to = list;
+    for (int i = 0; i < n; i += AT_ONCE)
+    {
+        const unsigned below = unsigned(v_signmask(test(i)) | v_signmask(test(i + AT_ONCE / 2)) << (AT_ONCE / 2));
+        to = writePositions<0>(table, below & (255u >> std::max(i + AT_ONCE - n, 0)), i, to);
+    }
+    return int(to - list);
 }
 
-//! Calls take(i, square, to) for n elements, with the squared distances of their pixels to some regions. It writes an
-//! element to `to`, and tells whether that is kept: else the next one overwrites it. Returns how many are kept. They
-//! may take the place of those that pixelOf(i) and regionOf(i) read; regionOf(i) is asked for once.
-template <RegionChoice::Content CONTENT, typename To, typename PixelOf, typename RegionOf, typename Take>
-int RegionChoice::measure(int n, int y, To* to, const PixelOf& pixelOf, const RegionOf& regionOf,
-                          const Take& take) const
+//! Of four elements from i on.
+template <typename Of> static inline v_int32x4 gatherFour(int i, const Of& of)
 {
-    To* const first_to = to;
+    return v_int32x4(of(i), of(i + 1), of(i + 2), of(i + 3));
+}
+
+//! The squared distances of n pixels, and some behind them, to some regions.
+template <RegionChoice::Content CONTENT, typename PixelOf, typename RegionOf>
+void RegionChoice::measure(int n, int y, const PixelOf& pixelOf, const RegionOf& regionOf, int* squares) const
+{
     const Normal* row_normals = CONTENT == SURFACE ? map_.normalsOfRow(y) : 0;
     const int row_start = CONTENT >= PLANE ? map_.index(Point(0, y)) : 0, normal_shift = map_.normal_shift;
     const RegionDistance distance = distance_; // a copy of its own does not change when something is written
-    int i = 0;
-    for (; i + 4 <= n; i += 4)
+    for (int i = 0; i < int(alignSize(n, AT_ONCE)); i += FOUR)
     {
-        const Feature* features[4];
-        const RegionMean* means[4];
-        const SurfaceMean* surfaces[4] = {};
-        const Normal* normals[4] = {};
-        int places[4] = {}, squares[4];
-        for (int k = 0; k < 4; k++)
+        const Feature* features[FOUR];
+        const RegionMean* means[FOUR];
+        const SurfaceMean* surfaces[FOUR] = {};
+        const Normal* normals[FOUR] = {};
+        int places[FOUR] = {};
+        for (int k = 0; k < FOUR; k++)
         {
             const ptrdiff_t pixel = pixelOf(i + k), region = regionOf(i + k);
             features[k] = features_ + pixel;
@@ -66,102 +72,131 @@ int RegionChoice::measure(int n, int y, To* to, const PixelOf& pixelOf, const Re
             if (CONTENT == SURFACE)
                 normals[k] = row_normals + (places[k] >> normal_shift);
         }
-        v_store(squares, CONTENT >= PLANE
+        v_store(squares + i, CONTENT >= PLANE
             ? distance.squared<CONTENT == SURFACE>(features, normals, means, surfaces, v_load(places), y)
             : distance.squared<CONTENT == DEPTH>(features, means));
-        for (int k = 0; k < 4; k++)
-            to += take(i + k, squares[k], *to);
     }
-    for (; i < n; i++)
-        to += take(i, squaredDistance(pixelOf(i), y, regionOf(i)), *to);
-    return int(to - first_to);
 }
 
-//! The pixels that are so far from the mean of their own region that another one may win them. Returns how many.
-template <RegionChoice::Content CONTENT>
-int RegionChoice::keepDistant(const int* pixels, int n, int y, OpenPixel* open) const
+//! Lists the pixels that are so far from the mean of their own region that another one may win them.
+template <RegionChoice::Content CONTENT> int RegionChoice::listDistant(int n, int y, Batch& b) const
 {
-    return measure<CONTENT>(n, y, open, [&](int i) { return pixels[i]; }, [&](int i) { return labels_[pixels[i]]; },
-                            [&](int i, int square, OpenPixel& to)
+    measure<CONTENT>(n, y, [&](int i) { return b.pixels[i]; }, [&](int i) { return labels_[b.pixels[i]]; }, b.squares);
+    return listWhere(n, [&](int i)
     {
-        to.index = pixels[i];
-        to.slack = square - bounds_[masks_[pixels[i]]];
-        return to.slack > 0;
-    });
+        const v_int32x4 bounds = gatherFour(i, [&](int k) { return bounds_[masks_[b.pixels[k]]]; });
+        const v_int32x4 slack = subtract(v_load(b.squares + i), bounds);
+        v_store(b.slack + i, slack);
+        return subtract(v_setzero_s32(), slack);
+    }, b.distant);
 }
 
 //! Of these, those that the region of the first neighbour may win, or those beside several regions, or tips.
-template <RegionChoice::Content CONTENT> int RegionChoice::keepNear(int n, int y, OpenPixel* open) const
+template <RegionChoice::Content CONTENT> int RegionChoice::listContested(int n, int y, Batch& b) const
 {
-    return measure<CONTENT>(n, y, open, [&](int i) { return open[i].index; }, [&](int i)
+    std::fill_n(b.distant + n, int(AT_ONCE), 0);
+    measure<CONTENT>(n, y, [&](int i) { return b.pixels[b.distant[i]]; }, [&](int i)
     {
-        const int others = ~masks_[open[i].index] & MaskTable::FOUR_NEIGHBORS, *label = labels_ + open[i].index;
+        const int pixel = b.pixels[b.distant[i]], others = ~masks_[pixel] & MaskTable::FOUR_NEIGHBORS;
+        const int* const label = labels_ + pixel;
         const int first = label[first_others_[others]];
-        open[i].slack |= (first != label[last_others_[others]]) * ALWAYS;
+        b.slack[b.distant[i]] |= (first != label[last_others_[others]]) * ALWAYS;
         return std::max(first, 0);
-    }, [&](int i, int square, OpenPixel& to)
+    }, b.squares);
+    return listWhere(n, [&](int i)
     {
-        to = { open[i].index, open[i].slack, square };
-        return square < to.slack;
-    });
+        return subtract(v_load(b.squares + i), gatherFour(i, [&](int k) { return b.slack[b.distant[k]]; }));
+    }, b.contested);
 }
 
-//! The region of the first 4-neighbour that was not seen yet wins the pixel if that is better.
-inline void RegionChoice::compare(int square, Choice& choice) const
+//! Four of the pixels that are left, in their own regions.
+inline RegionChoice::FourChoices RegionChoice::begin(int i, const Batch& b) const
 {
-    const int* label = labels_ + choice.gain.pixel;
-    const int region = label[first_others_[choice.unseen]], mask = table_.neighborMask(label, step_, region);
-    const int energy = square - savings_[mask];
-    const int better = ((energy - choice.energy) & ~region) >> 31; // all bits, unless there is no region
-    choice.gain.region ^= (choice.gain.region ^ region) & better;
-    choice.gain.mask ^= (choice.gain.mask ^ mask) & better;
-    choice.energy ^= (choice.energy ^ energy) & better;
-    choice.unseen &= ~mask;
+    int others[FOUR]; // neighbours that are not in the own region
+    for (int k = 0; k < FOUR; k++)
+        others[k] = ~masks_[b.pixels[b.distant[b.contested[i + k]]]] & 255;
+    // The own square less what is saved: slack is more by what the others could save.
+    const v_int32x4 slack = gatherFour(i, [&](int k) { return b.slack[b.distant[b.contested[k]]]; });
+    const v_int32x4 saved = gatherFour(0, [&](int k) { return savings_[others[k]]; });
+    const v_int32x4 unseen = bitAnd(gatherFour(0, [&](int k) { return others[k]; }),
+                                    v_setall_s32(MaskTable::FOUR_NEIGHBORS));
+    const FourChoices four = { gatherFour(i, [&](int k) { return b.pixels[b.distant[b.contested[k]]]; }),
+                               v_setzero_s32(), v_shl<UNSEEN_LOG2>(unseen),
+                               subtract(bitAnd(slack, v_setall_s32(ALWAYS - 1)), saved) };
+    return four;
+}
+
+//! The regions of the first 4-neighbours that were not seen yet win the pixels if that is better. Adds the first
+//! `count` choices to those that are made or to the open ones, without a branch.
+inline void RegionChoice::compare(const v_int32x4& squares, int count, FourChoices four, Choices& choices) const
+{
+    int pixels[FOUR], unseen[FOUR], masks[FOUR];
+    const int* others[FOUR]; // of labels
+    v_store(pixels, four.pixels);
+    v_store(unseen, v_shr<UNSEEN_LOG2>(four.masks));
+    for (int k = 0; k < FOUR; k++)
+    {
+        const int* const label = labels_ + pixels[k];
+        others[k] = label + first_others_[unseen[k]];
+        masks[k] = table_.neighborMask(label, step_, *others[k]);
+    }
+    const v_int32x4 regions = gatherFour(0, [&](int k) { return *others[k]; });
+    const v_int32x4 found = gatherFour(0, [&](int k) { return masks[k]; });
+    const v_int32x4 energies = subtract(squares, gatherFour(0, [&](int k) { return savings_[masks[k]]; }));
+    const v_int32x4 is_region = equal(v_shr<31>(regions), v_setzero_s32());
+    const v_int32x4 better = bitAnd(v_shr<31>(subtract(energies, four.energies)), is_region);
+    const v_int32x4 were_unseen = bitAnd(four.masks, v_setall_s32(255 << UNSEEN_LOG2));
+    const v_int32x4 are_unseen = subtract(were_unseen, bitAnd(were_unseen, v_shl<UNSEEN_LOG2>(found)));
+    four.masks = add(v_select(better, found, subtract(four.masks, were_unseen)), are_unseen);
+    four.regions = v_select(better, regions, four.regions);
+    four.energies = v_select(better, energies, four.energies);
+    v_int32x4 of_pixels[FOUR];
+    v_transpose4x4(four.pixels, four.regions, four.masks, four.energies, of_pixels[0], of_pixels[1], of_pixels[2],
+                   of_pixels[3]);
+    v_store(masks, four.masks);
+    const int ALL_SEEN = 1 << UNSEEN_LOG2;
+    for (int k = 0; k < count; k++)
+    {
+        v_store(&choices.made[choices.num_made].pixel, of_pixels[k]);
+        v_store(&choices.open[choices.num_open].pixel, of_pixels[k]);
+        choices.num_made += (masks[k] > 0) & (masks[k] < ALL_SEEN);
+        choices.num_open += masks[k] >= ALL_SEEN;
+    }
 }
 
 //! Most pixels lie near to the mean of their region, and most others far from that of the one beside it. They are
-//! passed over, in loops without branches, because no processor can predict which they are: each pixel is written,
-//! and the next one overwrites it if it is not kept.
+//! passed over, in loops without branches, because no processor can predict which they are.
 template <RegionChoice::Content CONTENT>
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
 {
-    OpenPixel open[BATCH];
-    const int num_open = keepNear<CONTENT>(keepDistant<CONTENT>(pixels, n, y, open), y, open);
-    Choice others[BATCH]; // that have more regions beside them
-    int num_gains = 0, num_others = 0;
-    const auto add = [&](const Choice& choice)
+    Batch b;
+    Gain open[BATCH + AT_ONCE];
+    std::copy_n(pixels, n, b.pixels);
+    std::fill_n(b.pixels + n, int(AT_ONCE), pixels[0]);
+    const int num_contested = listContested<CONTENT>(listDistant<CONTENT>(n, y, b), y, b);
+    std::fill_n(b.contested + num_contested, int(AT_ONCE), 0);
+    Choices choices = { gains, open, 0, 0 };
+    for (int i = 0; i < num_contested; i += FOUR)
+        compare(gatherFour(i, [&](int k) { return b.squares[b.contested[k]]; }),
+                std::min(num_contested - i, int(FOUR)), begin(i, b), choices);
+    while (choices.num_open > 0)
     {
-        const bool more = choice.unseen != 0;
-        gains[num_gains] = choice.gain;
-        num_gains += (choice.gain.mask != 0) & !more;
-        others[num_others] = choice;
-        num_others += more;
-    };
-    for (int i = 0; i < num_open; i++)
-    {
-        const int pixel = open[i].index, others_mask = ~masks_[pixel] & 255;
-        // Its own square less what it saves: slack is more by what the others could save.
-        Choice choice = { { pixel, 0, 0 }, (open[i].slack & (ALWAYS - 1)) - savings_[others_mask],
-                          others_mask & MaskTable::FOUR_NEIGHBORS };
-        compare(open[i].square, choice);
-        add(choice);
-    }
-    while (num_others > 0)
-    {
-        const int n_others = num_others;
-        num_others = 0;
-        measure<CONTENT>(n_others, y, others, [&](int i) { return others[i].gain.pixel; }, [&](int i)
+        const int num_open = choices.num_open;
+        std::fill_n(open + num_open, int(AT_ONCE), open[0]);
+        measure<CONTENT>(num_open, y, [&](int i) { return open[i].pixel; }, [&](int i)
         {
-            return std::max(labels_[others[i].gain.pixel + first_others_[others[i].unseen]], 0);
-        }, [&](int i, int square, Choice&)
+            return std::max(labels_[open[i].pixel + first_others_[open[i].mask >> UNSEEN_LOG2]], 0);
+        }, b.squares);
+        choices.num_open = 0;
+        for (int i = 0; i < num_open; i += FOUR)
         {
-            Choice choice = others[i];
-            compare(square, choice);
-            add(choice);
-            return false;
-        });
+            FourChoices four;
+            v_transpose4x4(v_load(&open[i].pixel), v_load(&open[i + 1].pixel), v_load(&open[i + 2].pixel),
+                           v_load(&open[i + 3].pixel), four.pixels, four.regions, four.masks, four.energies);
+            compare(v_load(b.squares + i), std::min(num_open - i, int(FOUR)), four, choices);
+        }
     }
-    return num_gains;
+    return choices.num_made;
 }
 
 int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const

@@ -15,12 +15,12 @@ namespace cv { namespace ximgproc { namespace gws {
 class RegionChoice
 {
 public:
-    enum { BATCH = 512 };
+    enum { BATCH = 512, AT_ONCE = 8 };
 
-    //! A pixel that is better off in another region, and the mask of its neighbours that are in that.
+    //! A pixel that is better off in another region, the mask of its neighbours that are in that, and its energy there.
     struct Gain
     {
-        int pixel, region, mask;
+        int pixel, region, mask, energy;
     };
 
     //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
@@ -37,33 +37,45 @@ public:
 
 private:
     enum { ALWAYS = 1 << 30 }; // above all squares
+    enum { FOUR = 4, UNSEEN_LOG2 = 8 };
 
-    //! A pixel that another region may win.
-    struct OpenPixel
+    //! Some pixels, with room behind them, as they are looked at by eights.
+    struct Batch
     {
-        int index;
-        int slack;  // squared distance below which a region wins that has all neighbours but those of its own
-        int square; // of the distance to the region of the first 4-neighbour that is not in its own
+        enum { SIZE = BATCH + AT_ONCE };
+
+        int pixels[SIZE];
+        int squares[SIZE];   // of the distances that were measured last
+        int slack[SIZE];     // squared distances below which a region wins that has all neighbours but those of the own
+        int distant[SIZE];   // which of the pixels another region may win
+        int contested[SIZE]; // and which of these have one that is near enough
     };
 
-    //! The best choice of a pixel so far.
-    struct Choice
+    //! The best choices of four pixels so far. Above UNSEEN_LOG2, a mask has the 4-neighbours in regions that were not
+    //! looked at.
+    struct FourChoices
     {
-        Gain gain;
-        int energy, unseen; // unseen: 4-neighbours in regions that were not looked at, as a mask
+        v_int32x4 pixels, regions, masks, energies;
+    };
+
+    //! Choices that are made, and those of pixels that have more regions beside them, with such masks.
+    struct Choices
+    {
+        Gain *made, *open;
+        int num_made, num_open;
     };
 
     //! What distances are made of: colour, and the depth of the region, its plane, or its plane and its normal.
     enum Content { COLOR, DEPTH, PLANE, SURFACE };
 
     template <Content CONTENT> int findGains(const int* pixels, int n, int y, Gain* gains) const;
-    template <Content CONTENT> int keepDistant(const int* pixels, int n, int y, OpenPixel* open) const;
-    template <Content CONTENT> int keepNear(int n, int y, OpenPixel* open) const;
-    template <Content CONTENT, typename To, typename PixelOf, typename RegionOf, typename Take>
-    int measure(int n, int y, To* to, const PixelOf& pixelOf, const RegionOf& regionOf, const Take& take) const;
+    template <Content CONTENT> int listDistant(int n, int y, Batch& b) const;
+    template <Content CONTENT> int listContested(int n, int y, Batch& b) const;
+    template <Content CONTENT, typename PixelOf, typename RegionOf>
+    void measure(int n, int y, const PixelOf& pixelOf, const RegionOf& regionOf, int* squares) const;
 
-    int squaredDistance(int pixel, int y, int region) const;
-    void compare(int square, Choice& choice) const;
+    FourChoices begin(int i, const Batch& b) const;
+    void compare(const v_int32x4& squares, int count, FourChoices four, Choices& choices) const;
 
     const MaskTable& table_;
     const Feature* const features_;
