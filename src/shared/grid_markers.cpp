@@ -13,6 +13,13 @@ static int64 fromMiddle(const Mat& gradient, Point p)
     return std::abs(2 * int64(p.x) + 1 - gradient.cols) + std::abs(2 * int64(p.y) + 1 - gradient.rows);
 }
 
+//! The nearest coordinate to the middle of a cell, or of two the one nearer to the middle of the image, if it has one
+//! that counts, else the first. `center2` is twice the middle.
+static int nearestTo(int center2, int length, bool symmetric)
+{
+    return (center2 + int(symmetric && center2 + 1 < length)) / 2;
+}
+
 //! @note The paper asks for local minima of the gradient and gives no rule.
 Point findMarkerInCell(const Mat& gradient, const Rect& cell, bool symmetric)
 {
@@ -21,6 +28,9 @@ Point findMarkerInCell(const Mat& gradient, const Rect& cell, bool symmetric)
     const int ry = cell.height > 2 ? std::max(cell.height / 4, 1) : 0;
     const Rect window(Point(center2.x / 2 - rx, center2.y / 2 - ry),
                       Point((center2.x + 1) / 2 + rx + 1, (center2.y + 1) / 2 + ry + 1));
+    const Point nearest(nearestTo(center2.x, gradient.cols, symmetric), nearestTo(center2.y, gradient.rows, symmetric));
+    if (gradient.at<ushort>(nearest) == 0)
+        return nearest;
     // Both in one number: the gradient counts first, then the distance.
     const int AWAY_BITS = 44;
     const int64 FARTHEST = (int64(1) << AWAY_BITS) - 1;
