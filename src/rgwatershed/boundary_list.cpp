@@ -66,23 +66,11 @@ static inline v_uint8x16 loadBytes(const uchar* row, int x, int cols, uchar rest
     return v_load(bytes);
 }
 
-//! 1 for bytes that are not 0.
-static inline v_uint8x16 isSome(const v_uint8x16& bytes) { return v_min(bytes, v_setall_u8(1)); }
-
-//! MaskTable::canLeave() of 16 masks: 1 or 0.
-static inline v_uint8x16 findLeavers(const v_uint8x16& masks)
+//! 1 for those of 16 masks that miss one of the 4-neighbours: the pixel is at a boundary.
+static inline v_uint8x16 isAtBoundary(const v_uint8x16& masks)
 {
-    const v_uint8x16 four = v_setall_u8(uchar(MaskTable::FOUR_NEIGHBORS)), neighbors = bitAnd(masks, four);
-    // Those that the corner before them links to the 4-neighbour before that; the others begin a piece.
-    const v_uint8x16 corners = v_add_wrap(masks, masks);
-    // The one before the first is the last, which comes into bit 1.
-    const v_uint8x16 last = v_reinterpret_as_u8(v_shr<6>(v_reinterpret_as_u16(masks)));
-    const v_uint8x16 before = v_add_wrap(v_add_wrap(corners, corners), bitAnd(last, v_setall_u8(2)));
-    const v_uint8x16 linked = bitAnd(neighbors, bitAnd(corners, before));
-    const v_uint8x16 pieces = v_sub_wrap(neighbors, linked);
-    const v_uint8x16 further = bitAnd(pieces, v_sub_wrap(pieces, v_setall_u8(1))); // all but the lowest bit
-    const v_uint8x16 is_one_piece = v_sub_wrap(isSome(pieces), isSome(further));
-    return v_min(is_one_piece, isSome(v_sub_wrap(four, neighbors)));
+    const v_uint8x16 four = v_setall_u8(uchar(MaskTable::FOUR_NEIGHBORS));
+    return v_min(subtract(four, bitAnd(masks, four)), v_setall_u8(1));
 }
 
 void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list)
@@ -94,8 +82,8 @@ void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& l
         const int first = masks.index(Point(0, 2 * y));
         list.addRow(cols, first, masks.step(), [&](int x, v_uint8x16& in_upper, v_uint8x16& in_lower)
         {
-            in_upper = findLeavers(loadBytes(upper, x, cols, INTERIOR));
-            in_lower = findLeavers(loadBytes(lower, x, cols, INTERIOR));
+            in_upper = isAtBoundary(loadBytes(upper, x, cols, INTERIOR));
+            in_lower = isAtBoundary(loadBytes(lower, x, cols, INTERIOR));
         });
     }
 }
@@ -114,8 +102,8 @@ void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& ma
             in_lower = loadBytes(lower_marks, x, cols, 0);
             if (toBits(v_max(in_upper, in_lower)))
             {
-                in_upper = v_min(in_upper, findLeavers(loadBytes(upper, x, cols, INTERIOR)));
-                in_lower = v_min(in_lower, findLeavers(loadBytes(lower, x, cols, INTERIOR)));
+                in_upper = v_min(in_upper, isAtBoundary(loadBytes(upper, x, cols, INTERIOR)));
+                in_lower = v_min(in_lower, isAtBoundary(loadBytes(lower, x, cols, INTERIOR)));
             }
         });
         std::fill_n(upper_marks, cols, uchar(0));
