@@ -290,7 +290,7 @@ static CostSpan limitOfAreas(double na, double nb, double length, double larger_
     {
         const double relative_length = straightLog(length) - straightLog(std::min(na, nb)) / 2;
         const bool may_be_larger = larger_variation <= 64 * limit && relative_length >= 0.5 * (1 - limit);
-        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? 0.25 : 0);
+        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? 0.2 : 0);
         span.first = std::min(span.first, 32 * std::max(0., excess));
         span.last = std::max(span.last, 32 * std::max(0., excess));
     }

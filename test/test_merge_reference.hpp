@@ -35,7 +35,8 @@ struct Mixture
 //! Limits are times a factor, and the looser the larger it is.
 std::vector<Mixture> findMixtures(const RegionMeasures& regions, double looseness);
 
-//! Colour and logarithm of texture that have spread, and the squared length of the own colour. Those of unions are means.
+//! Colour and logarithm of texture that have spread, and the squared length of the own colour. Those of unions are the
+//! means over their pixels.
 typedef Vec<double, 5> MergeContext;
 
 //! They spread eight times, each time to the neighbours, by likeness.

@@ -9,7 +9,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
 enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond the usual
-enum { LARGER = LOG_ONE / 4 };       // logarithm of how much larger unions of even colours may be than the usual ones
+enum { LARGER = LOG_ONE / 5 };       // logarithm of how much larger unions of even colours may be than the usual ones
 enum { EVEN = 8 * STEPS_PER_LEVEL }; // colours are even if they deviate by no more
 
 //! The words of four records: one vector for each.
@@ -222,8 +222,8 @@ v_int32x4 UnionCost::addColors(const MergeEdge* edges, const FourRegions& a, con
                  weigh(distance, lightness, distance_and_lightness_, with_contexts));
 }
 
-//! The logarithm of how much larger than usual unions may be: if both regions are even, so that none has several colours
-//! of a pattern, and if they lie side by side, not corner to corner.
+//! The logarithm of how much larger than usual unions may be: if both regions are even, so that none has several
+//! colours of a pattern, and if they lie side by side, not corner to corner.
 v_int32x4 UnionCost::largerThanUsual(const MergeEdge* e, const v_int32x4& relative_length) const
 {
     const auto variation = [&](const MergeEdge& edge)

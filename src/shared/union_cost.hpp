@@ -29,7 +29,7 @@ struct FourRegions;
 //!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
 //!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
 //!     max(1, s (n1 + n2) / (u usual area))    32           s = root of max(1, root of the smaller n / l), or 1;
-//!                                                          u = 1.2 between even regions side by side, or 1
+//!                                                          u = 1.15 between even regions side by side, or 1
 //!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
 //!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
 //!     g  mean rises of lightness across and down, half of those from one element to the next
