@@ -100,6 +100,33 @@ TEST(ximgproc_GWatershed_truth, rows_that_alternate_are_no_slope)
     EXPECT_LT(wrong[1], 0.014);
 }
 
+// A pixel that leaves a straight boundary takes more of it than faint edges pay for, if its price does not follow them.
+TEST(ximgproc_GWatershed_truth, faint_things_are_found)
+{
+    const int pictures = 4, step = 12, noise = 1;
+    for (int region_size : { 20, 30 })
+        for (int effort : { 1, 3 })
+        {
+            RNG rng(20);
+            double wrong = 0;
+            for (int i = 0; i < pictures; i++)
+            {
+                Mat things(240, 320, CV_8UC1, Scalar(1)), image;
+                for (int k = 0; k < 16; k++)
+                    circle(things, Point(rng.uniform(0, 320), rng.uniform(0, 240)), rng.uniform(12, 45),
+                           Scalar(k % 3), FILLED);
+                Mat grain(things.size(), CV_16SC1);
+                rng.fill(grain, RNG::NORMAL, 0, noise);
+                cv::add(100 + step * things, grain, image, noArray(), CV_8U);
+                Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
+                gws->setEffort(effort);
+                gws->iterate();
+                wrong += wrongShare(gws, things) / pictures;
+            }
+            EXPECT_LT(wrong, 0.01) << region_size << ", effort " << effort;
+        }
+}
+
 //! Share of the superpixels that have no square of 3x3 pixels.
 double shareOfSlivers(const Ptr<SuperpixelGWatershed>& gws, const Mat&)
 {

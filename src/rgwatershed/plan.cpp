@@ -96,6 +96,12 @@ Plan::Plan(const Frame& frame, const Parameters& parameters, const MaskPyramid& 
     sweep.length_price = boundaryPrice(PRICE * sweeps.price, side, ruler);
 }
 
+void Plan::limitPrices(double most)
+{
+    for (SweepRules* rules : { &sweep_before_merging, &sweep })
+        rules->length_price = std::min(rules->length_price, boundaryPrice(most, ruler));
+}
+
 int Plan::floodRuler(double num_blocks, int num_markers_there) const
 {
     const double priority = FLOOD_RULER * std::max(ruler, 10.f); // less makes fringes along the lines of a ramp

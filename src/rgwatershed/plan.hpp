@@ -24,6 +24,8 @@ struct Plan
     int floodRuler(double num_blocks, int num_markers_there) const;
     //! The area of a region of it that is not larger than usual; any is where areas follow depth.
     int usualFloodArea(double num_blocks, int num_markers_there) const;
+    //! Boundary costs no more than a price at ruler 10, see mostPriceFor().
+    void limitPrices(double most);
     //! The rules of sweeps on a level after merging.
     SweepRules sweepOn(int some_level) const;
 

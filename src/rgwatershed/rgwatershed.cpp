@@ -8,6 +8,7 @@
 #include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
+#include "rgwatershed/image_contrast.hpp"
 #include "rgwatershed/region_labels.hpp"
 #include "shared/region_measure.hpp"
 
@@ -34,6 +35,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
     makePyramid(frame, parameters.lab_input, plan.levels, masks_, features_);
+    plan.limitPrices(mostPriceFor(features_[0], frame.mask, plan.sweep.distance));
     regions_.surfaces.present = false; // until they are measured, after the flood
     std::vector<int> first_markers;
     if (!frame.markers.empty())

@@ -78,11 +78,16 @@ inline int floodBandHeight(double blocks, int num_superpixels)
     return int(std::max<double>(FEWEST, SUPERPIXELS * std::sqrt(blocks / num_superpixels)));
 }
 
-inline int boundaryPrice(double price, double side, float ruler)
+//! For a price at ruler 10.
+inline int boundaryPrice(double price, float ruler)
 {
     const double PART_WITHOUT_RULER = 0.08;
-    const double scale = std::min(std::max(side * side / 289, 0.25), 4.);
-    return cvRound(std::min(price * scale * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
+    return cvRound(std::min(price * (PART_WITHOUT_RULER + (1 - PART_WITHOUT_RULER) * ruler / 10), 1e6));
+}
+
+inline int boundaryPrice(double price, double side, float ruler)
+{
+    return boundaryPrice(price * std::min(std::max(side * side / 289, 0.25), 4.), ruler);
 }
 
 //! Whether the buffers of merging so many regions are too large to be kept.

@@ -35,6 +35,7 @@ public:
 
     //! The image without its frame, in the same memory.
     Mat view() { return buffer_(Rect(Point(1, 1), size())); }
+    const Mat view() const { return buffer_(Rect(Point(1, 1), size())); }
 
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }
