@@ -221,6 +221,44 @@ TEST(ximgproc_SuperpixelGWatershed, effort_3_of_a_video_is_effort_2)
     }
 }
 
+// Things of faint colours on a table that is seen at an angle.
+TEST(ximgproc_SuperpixelGWatershed, most_effort_leaks_less_where_surfaces_meet)
+{
+    const Size size(320, 240);
+    double purities[2] = { 0, 0 };
+    RNG rng(23);
+    for (int i = 0; i < 8; i++)
+    {
+        Mat things = Mat::zeros(size, CV_8UC1), depth(size, CV_32FC1), noise(size, CV_32FC1);
+        Mat image(size, CV_8UC3, Scalar::all(120)), grain(size, CV_16SC3);
+        for (int k = 1; k < 12; k++)
+            ellipse(things, Point(rng.uniform(0, size.width), rng.uniform(0, size.height)),
+                    Size(rng.uniform(10, 50), rng.uniform(10, 40)), rng.uniform(0, 180), 0, 360, Scalar(k), FILLED);
+        for (int k = 1; k < 12; k++)
+            image.setTo(Scalar(rng.uniform(90, 150), rng.uniform(90, 150), rng.uniform(90, 150)), things == k);
+        rng.fill(grain, RNG::NORMAL, 0, 4);
+        cv::add(image, grain, image, noArray(), CV_8U);
+        for (int y = 0; y < size.height; y++)
+            for (int x = 0; x < size.width; x++)
+            {
+                const int thing = things.at<uchar>(y, x);
+                const double along = thing % 2 ? x : y;
+                depth.at<float>(y, x) = float(1e-3 + (thing % 3) * 3e-5 + (thing == 0 ? y : along) * 5e-7);
+            }
+        rng.fill(noise, RNG::NORMAL, 0, 3e-6);
+        depth = 1 / (depth + noise);
+        for (int k = 0; k < 2; k++)
+        {
+            Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(size.width, size.height, 3, 60);
+            gws->setFocalLength(300);
+            gws->setEffort(2 + k);
+            gws->iterate(image, depth);
+            purities[k] += purity(labelsOf(gws), gws->getNumberOfSuperpixels(), things) / 8;
+        }
+    }
+    EXPECT_GT(purities[1], purities[0]);
+}
+
 TEST(ximgproc_SuperpixelGWatershed, frames_start_anew_where_the_effort_changes_the_blocks)
 {
     const Mat image = makeScene(Size(200, 150), theRNG());

@@ -33,14 +33,14 @@ static BlockLevels chooseLevels(const MaskPyramid& masks, int num_superpixels, d
     return { level, 2, false };
 }
 
-//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where blocks have normals,
-//! because pixels have none. From markers of the user, nothing is flooded in blocks or merged.
+//! Regions of pixels are not merged in a video, which moves those of blocks along, nor where they adapt to depth, or
+//! their areas on the surface would be less even. From markers of the user, nothing is flooded in blocks or merged.
 static const EffortRules& effortRules(const Frame& frame, const Parameters& parameters)
 {
     const int MOST_ON_BLOCKS = 2;
     if (!frame.markers.empty())
         return effortRules(Parameters().effort);
-    const bool stays_on_blocks = parameters.temporal || !frame.normals.empty();
+    const bool stays_on_blocks = parameters.temporal || (parameters.depth_adaptive && !frame.normals.empty());
     return effortRules(stays_on_blocks ? std::min(parameters.effort, MOST_ON_BLOCKS) : parameters.effort);
 }
 

@@ -154,13 +154,19 @@ inline MergeRules pixelMergeRules(float ruler, bool with_depth)
 {
     MergeRules rules = mergeByTextures();
     rules.texture = 66; // noise and few levels are textures, too
-    if (!with_depth)
+    // No pattern has larger superpixels than 4 mean areas.
+    if (with_depth)
+    {
+        rules.length = 56; // depth is even over large parts, and says nothing of shapes there
+        rules.usual = 3.2f;
+    }
+    else
     {
         rules.spread = 8;
         rules.spread_texture = 12;
         rules.distance = 32;
+        rules.usual = 2.9f;
     }
-    rules.usual = with_depth ? 3.2f : 2.9f; // no pattern has larger superpixels than 4 mean areas
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;
 }
