@@ -24,7 +24,7 @@ static uchar depthOfBlock(const Feature* const* rows, int side, int x, int& lost
         high = std::max(high, depth);
     }
     lost = 0;
-    if (high - low <= STEP_IN_BLOCK)
+    if (high - low <= STEP_OF_DEPTH)
         return count > 0 ? uchar((sum + count / 2) / count) : uchar(0);
     int sums[2] = {}, counts[2] = {}; // of the far and of the near side
     for (int i = 0; i < side * side; i++)
@@ -71,7 +71,7 @@ static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_ui
     const v_uint8x16 low = v_min(v_min(v_sub_wrap(a, one), v_sub_wrap(b, one)),
                                  v_min(v_sub_wrap(c, one), v_sub_wrap(d, one)));
     const v_uint8x16 steps = subtract(subtract(high, one), low);
-    return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_IN_BLOCK);
+    return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_OF_DEPTH);
 }
 
 //! Means of blocks of 2x2 elements, 4 blocks at a time. Returns whether a step of depth goes through one of them.

@@ -18,7 +18,6 @@ enum { MAX_LEVEL = 2 };                        // of the pyramid; the blocks of 
 enum { SUPERPIXELS_FOR_CUT_OFF = 16 };         // for each begun so many, blocks may cut off one piece of a mask at most
 static const double REGIONS_WITH_BUFFERS = 0.06; // for each pixel; for more of them, as small superpixels have, buffers
                                                // of merging would be most of the memory: not kept
-enum { STEP_IN_BLOCK = 32 };                   // levels of depth: more is a step, less a slope or noise
 enum { EDGE_STEP = 64 };                       // levels, as the flood counts them: more from one neighbour of a block
 static const float EDGE_ASIDE = 0.05f;         // to the other is an edge, if the block lies no farther than this part
                                                // of it from the straight line between their colours

@@ -10,6 +10,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+enum { STEP_OF_DEPTH = 32 }; //!< levels of depth: more is a step, less a slope or noise
+
 //! Distance of a pixel to the mean of a region: the sum of the absolute differences of colour, and
 //! of depth.
 //! @note Equation (3) divided by the larger of alpha and 1 - alpha, so that depth that is missing,
@@ -88,11 +90,13 @@ public:
                 dotProduct(colors, first, dotProduct(depths, second, v_setzero_s32())));
     }
 
-    //! The square of the distance of a pixel to a region, in squared levels.
+    //! The square of the distance of a pixel to a region, in squared levels. A pixel with depth is as far from a region
+    //! without as from one beyond a step: else this would be the nearer one wherever a surface is not quite a plane.
     int squared(const Feature& f, const RegionMean& r) const
     {
         const short* w = weightsOf(f, r);
-        return squareOf(ofColors(f, r, w) + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth));
+        return squareOf(ofColors(f, r, w) + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - r.depth) +
+                        stepToUnknown(f, r));
     }
 
     //! The same for a region with a surface: the depth of the pixel counts against the plane of the region at its
@@ -103,7 +107,7 @@ public:
         const int turned = std::abs(STEPS_PER_LEVEL * n.x - s.x) + std::abs(STEPS_PER_LEVEL * n.y - s.y);
         const int has_normal = -(int(n.known()) & int(s.known())); // all bits
         return squareOf(ofColors(f, r, w) + w[3] * std::abs(STEPS_PER_LEVEL * f.depth - s.depthAt(p.x, p.y)) +
-                        ((normal_share * turned) & has_normal));
+                        ((normal_share * turned) & has_normal) + stepToUnknown(f, r));
     }
 
     //! The squares of four pairs at once.
@@ -119,7 +123,11 @@ public:
         splitPairs(gws::difference(low, v_load_halves(r[0]->color, r[1]->color)),
                    gws::difference(high, v_load_halves(r[2]->color, r[3]->color)), color_differences,
                    depth_differences);
-        return squareOf(dotProduct(color_differences, first, dotProduct(depth_differences, second, v_setzero_s32())));
+        v_int32x4 sum = v_setzero_s32();
+        if (WITH_DEPTH)
+            sum = v_int32x4(stepToUnknown(*f[0], *r[0]), stepToUnknown(*f[1], *r[1]), stepToUnknown(*f[2], *r[2]),
+                            stepToUnknown(*f[3], *r[3]));
+        return squareOf(dotProduct(color_differences, first, dotProduct(depth_differences, second, sum)));
     }
 
     //! The same for regions with surfaces. x are the places of the pixels in row y. Normals n count if WITH_NORMALS.
@@ -138,8 +146,11 @@ public:
 
         const v_int32x4 no_depth = missingDepth(depths, mean_depths);
         const v_int32x4 first = choose(no_depth, 0), second = choose(no_depth, 2);
+        const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), v_shr<16>(depths)));
+        v_int32x4 sum = bitAnd(bitAnd(has_depth, v_shr<31>(mean_depths)), v_setall_s32(STEP_TO_UNKNOWN * depth_share));
         mean_depths = putSecond(mean_depths, planeDepths(slopes, bases, x, y));
-        v_int32x4 sum = WITH_NORMALS ? ofNormals(n, normals) : v_setzero_s32();
+        if (WITH_NORMALS)
+            sum = add(sum, ofNormals(n, normals));
         sum = dotProduct(difference(colors, mean_colors), first, sum);
         return squareOf(dotProduct(difference(depths, mean_depths), second, sum));
     }
@@ -150,6 +161,14 @@ public:
     short weights[2][4]; //!< of a feature, without depth and with it
 
 private:
+    enum { STEP_TO_UNKNOWN = STEPS_PER_LEVEL * STEP_OF_DEPTH };
+
+    //! Of a pixel with depth to a region without, in 1/FULL_WEIGHT of a step.
+    int stepToUnknown(const Feature& f, const RegionMean& r) const
+    {
+        return (f.depth != 0) & (r.depth == RegionMean::NO_DEPTH) ? STEP_TO_UNKNOWN * depth_share : 0;
+    }
+
     //! Two of the four values of a feature, as they lie in memory.
     static int pairOf(const short* values, int first)
     {

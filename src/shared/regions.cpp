@@ -56,14 +56,21 @@ template <typename NumberOf> void Regions::updateSurfaces(int count, const Numbe
     SurfaceSolver(surfaces.camera).solveAll(count, [&](int k) -> SurfaceSolver::Source
     {
         const int i = numberOf(k);
-        return { &surfaces.sums[i], means[i].depth, sums[i].depth_area };
+        return { &surfaces.sums[i], means[i].depth, sums[i].hasDepth() ? sums[i].depth_area : 0 };
     }, [&](int k, const SurfaceMean& mean) { surfaces.means[numberOf(k)] = mean; });
+}
+
+void Regions::updateMean(int i)
+{
+    means[i] = sums[i].mean();
+    if (!sums[i].hasDepth())
+        means[i].depth = RegionMean::NO_DEPTH;
 }
 
 void Regions::update(const Range& range)
 {
     for (int i = range.start; i < range.end; i++)
-        means[i] = sums[i].mean();
+        updateMean(i);
     if (surfaces.present)
         updateSurfaces(range.size(), [&](int i) { return range.start + i; });
 }
@@ -71,7 +78,7 @@ void Regions::update(const Range& range)
 void Regions::update(const std::vector<int>& numbers)
 {
     for (int i : numbers)
-        means[i] = sums[i].mean();
+        updateMean(i);
     if (surfaces.present)
         updateSurfaces(int(numbers.size()), [&](int i) { return numbers[i]; });
 }

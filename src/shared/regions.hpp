@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 struct RegionMean
 {
     short color[3];
-    short depth; //!< NO_DEPTH if no pixel has depth
+    short depth; //!< NO_DEPTH if none, or once regions are found less than a quarter, of the pixels have one
 
     enum { NO_DEPTH = -1 };
 };
@@ -67,6 +67,9 @@ struct RegionSum
         area += r.area;
     }
 
+    //! Whether enough pixels have depth, as one in 2x2: a few, at an edge of what has it, do not tell that of a region.
+    bool hasDepth() const { return depth_area > 0 && depth_area >= area / 4; }
+
     RegionMean mean() const
     {
         const int64 reciprocal = reciprocalOf(area);
@@ -112,6 +115,7 @@ struct Regions
     void update() { update(Range(0, size())); }
 
 private:
+    void updateMean(int i);
     template <typename NumberOf> void updateSurfaces(int count, const NumberOf& numberOf);
 };
 
