@@ -30,23 +30,23 @@ static Scalar noiseOf(const Mat& rows, const Mat& mask)
     return 0.5 * (mean.mul(mean) + deviation.mul(deviation));
 }
 
-//! A pixel that leaves a straight boundary pays for eight quarters of an edge, which takes contrast. What noise adds to
-//! a square is paid for in full, and so is a level, or boundaries would follow them. The noise of surfaces is not
-//! known, so there is no limit with depth, unless it is the same everywhere.
+//! A pixel that leaves a straight boundary pays for eight quarters of an edge, which takes contrast of colours. What
+//! noise adds to a square is paid for in full, and so is a level, or boundaries would follow them.
 double mostPriceFor(const FeatureMap& pixels, const Mat& mask, const RegionDistance& distance)
 {
     CV_TRACE_FUNCTION();
-    const int QUARTERS = 8, DEPTH = 3;
+    const int QUARTERS = 8;
     const Mat rows = someRows(pixels.view()), inside = mask.empty() ? Mat() : someRows(mask);
     Scalar mean, contrast;
     meanStdDev(rows, mean, contrast, inside);
     const Scalar noise = noiseOf(rows, inside);
-    if (contrast[DEPTH] > 0)
-        return DBL_MAX;
+    const short* const colors = distance.weights[0];
+    const int weights[] = { colors[0], colors[1], colors[2], distance.depth_share };
+    contrast[3] = 0; // depth has enough, and colours are to be followed beside it
     double price = 1;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 4; k++)
     {
-        const double weight = double(distance.weights[0][k]) / FULL_WEIGHT;
+        const double weight = double(weights[k]) / FULL_WEIGHT;
         price += weight * weight * (contrast[k] * contrast[k] / QUARTERS + noise[k]);
     }
     return price;
