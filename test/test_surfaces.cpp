@@ -89,6 +89,28 @@ TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
     EXPECT_GT(purity(labelsOf(segment(gray(), depth, 80)), 80, inside), 0.99);
 }
 
+// A region without depth is not the nearest one of all that are not quite planes.
+TEST(ximgproc_GWatershed_surfaces, where_depth_ends_no_pixel_goes_over)
+{
+    double wrong = 0;
+    RNG rng(11);
+    for (int i = 0; i < 6; i++)
+    {
+        Mat depth(SIZE, CV_32FC1), known = Mat::zeros(SIZE, CV_8UC1);
+        for (int y = 0; y < SIZE.height; y++)
+            for (int x = 0; x < SIZE.width; x++)
+                depth.at<float>(y, x) = float(1500 + 150 * std::sin(x * 0.07 + i) * std::sin(y * 0.06));
+        for (int k = 0; k < 6; k++)
+            circle(known, Point(rng.uniform(0, SIZE.width), rng.uniform(0, SIZE.height)), rng.uniform(20, 60),
+                   Scalar(255), FILLED);
+        depth.setTo(Scalar(0), known == 0);
+        Mat image(SIZE, CV_8UC3, Scalar(120, 120, 120));
+        image.setTo(Scalar(108, 132, 124), known);
+        wrong += (1 - purity(labelsOf(segment(image, depth, 100)), 100, known)) / 6;
+    }
+    EXPECT_LT(wrong, 0.01);
+}
+
 //! Nearer than 99 of 100 pixels is only the small one.
 TEST(ximgproc_GWatershed_surfaces, small_things_near_to_the_camera_are_cut_out)
 {

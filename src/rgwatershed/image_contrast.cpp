@@ -7,7 +7,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Ten rows of an image, or all if it has fewer, equally far apart, in the same memory.
+//! Ten rows of an image, or some more, equally far apart, in the same memory; all if it has fewer.
 static Mat someRows(const Mat& image)
 {
     const int ROWS = 10, apart = std::max(image.rows / ROWS, 1), first = apart / 2;
