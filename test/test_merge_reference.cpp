@@ -283,14 +283,15 @@ std::vector<MergeContext> spreadContexts(const RegionMeasures& regions)
 }
 
 //! The exponent that limits areas. Even regions side by side may make unions that are larger than usual.
-static CostSpan limitOfAreas(double na, double nb, double length, double larger_variation, double usual_area)
+static CostSpan limitOfAreas(double na, double nb, double length, double larger_variation, double usual_area,
+                             double log_larger)
 {
     CostSpan span = { INFINITE, -INFINITE };
     for (const double& limit : { 0.98, 1., 1.02 })
     {
         const double relative_length = straightLog(length) - straightLog(std::min(na, nb)) / 2;
         const bool may_be_larger = larger_variation <= 64 * limit && relative_length >= 0.5 * (1 - limit);
-        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? 0.2 : 0);
+        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? log_larger : 0);
         span.first = std::min(span.first, 32 * std::max(0., excess));
         span.last = std::max(span.last, 32 * std::max(0., excess));
     }
@@ -298,7 +299,7 @@ static CostSpan limitOfAreas(double na, double nb, double length, double larger_
 }
 
 std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
-                                          const std::vector<int>& parts)
+                                          const std::vector<int>& parts, int num_first)
 {
     const int n = int(regions.areas.size());
     const double num_pixels = std::accumulate(regions.areas.begin(), regions.areas.end(), 0.);
@@ -307,6 +308,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
     while (n / few >= 8)
         few *= 2;
     const double usual_area = std::max(1., 2.9 * num_pixels / (n / few * few));
+    const double log_larger = n / few * few < num_first / 5 ? 51. / 256 : 0.5;
     std::map<RegionPair, CostSpan> costs;
     for (const auto& e : regions.boundaries)
     {
@@ -317,7 +319,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
         const double spread_squared = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
         const double variation = std::max(contexts[a][4] - means[a].dot(means[a]),
                                           contexts[b][4] - means[b].dot(means[b]));
-        const CostSpan limit_of_areas = limitOfAreas(na, nb, l, variation, usual_area);
+        const CostSpan limit_of_areas = limitOfAreas(na, nb, l, variation, usual_area, log_larger);
         const Vec2d ta = regions.steps[a], tb = regions.steps[b];
         const double light = 16. / 7 * (na * means[a][0] + nb * means[b][0]); // as it is
         const bool of_a_part = parts[a] == parts[b];
@@ -327,7 +329,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
             const double explained = explainedBySlopes(slopeOf(regions.rises[a], ta, na, limit),
                                                        slopeOf(regions.rises[b], tb, nb, limit),
                                                        std::min(na, nb), d.dot(d), limit);
-            const double rest = of_a_part ? 0.1875 : 6 * explained + 1.40625;
+            const double rest = of_a_part ? 0.1875 : 7 * explained + 1.5;
             const double cost = 0.4375 * straightLog(d.dot(d) + rest) + 0.171875 * straightLog(spread_squared + rest);
             slopes.first = std::min(slopes.first, cost);
             slopes.last = std::max(slopes.last, cost);

@@ -61,9 +61,9 @@ struct CostSpan
 };
 
 //! Logarithms of the cost for all neighbours, from the formula. Regions of a part have less noise between them, and no
-//! slope.
+//! slope. There were num_first regions when these began to merge.
 std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
-                                          const std::vector<int>& parts);
+                                          const std::vector<int>& parts, int num_first);
 
 } // namespace
 

@@ -79,8 +79,7 @@ inline MergeRules mergeByContext()
     rules.length = 40;
     rules.lightness = 20;
     rules.chroma = 12;
-    rules.noise = 90;
-    rules.slope = 6; // differences of lightness, which slopes are too, count more than without contexts
+    rules.slope = 7; // differences of lightness, which slopes are too, count more than without contexts
     return rules;
 }
 

@@ -34,8 +34,7 @@ public:
     const T* row(int y) const { return buffer_.ptr<T>(y + 1) + 1; }
 
     //! The image without its frame, in the same memory.
-    Mat view() { return buffer_(Rect(Point(1, 1), size())); }
-    const Mat view() const { return buffer_(Rect(Point(1, 1), size())); }
+    Mat view() const { return buffer_(Rect(Point(1, 1), size())); }
 
     int index(Point p) const { return (p.y + 1) * step() + p.x + 1; }
     Point point(int index) const { return Point(index % step() - 1, index / step() - 1); }

@@ -166,7 +166,7 @@ private:
     //! Of a pixel with depth to a region without, in 1/FULL_WEIGHT of a step.
     int stepToUnknown(const Feature& f, const RegionMean& r) const
     {
-        return (f.depth != 0) & (r.depth == RegionMean::NO_DEPTH) ? STEP_TO_UNKNOWN * depth_share : 0;
+        return f.depth != 0 && r.depth == RegionMean::NO_DEPTH ? STEP_TO_UNKNOWN * depth_share : 0;
     }
 
     //! Two of the four values of a feature, as they lie in memory.

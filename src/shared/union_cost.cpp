@@ -9,7 +9,6 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
 enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond the usual
-enum { LARGER = LOG_ONE / 5 };       // logarithm of how much larger unions of even colours may be than the usual ones
 enum { EVEN = 8 * STEPS_PER_LEVEL }; // colours are even if they deviate by no more
 
 //! The words of four records: one vector for each.
@@ -234,7 +233,7 @@ v_int32x4 UnionCost::largerThanUsual(const MergeEdge* e, const v_int32x4& relati
     const v_int32x4 variations(variation(e[0]), variation(e[1]), variation(e[2]), variation(e[3]));
     const v_int32x4 uneven = subtract(variations, v_setall_s32(EVEN * EVEN));
     const v_int32x4 stays_usual = isPositive(v_max(uneven, subtract(zero, relative_length)));
-    return v_select(stays_usual, zero, v_setall_s32(LARGER));
+    return v_select(stays_usual, zero, log_larger_);
 }
 
 //! What areas and the common boundary add.
@@ -282,13 +281,15 @@ void UnionCost::findFour(MergeEdge* edges) const
 }
 
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area)
+                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
+                     int log_larger)
     : distance_(distance), records_(records), contexts_(contexts), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       slope_in_cell_(v_setall_f32(float(distance.shareOfColor(rules.slope_in_cell)) / 256)),
       rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
-      log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
+      log_usual_area_(v_setall_s32(log_usual_area)), log_larger_(v_setall_s32(log_larger)),
+      if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_lightness_(makePairs(distance.with_depth ? rules.with_depth : rules.distance,
                                         -distance.shareOfColor(rules.lightness))),

@@ -29,7 +29,7 @@ struct FourRegions;
 //!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
 //!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
 //!     max(1, s (n1 + n2) / (u usual area))    32           s = root of max(1, root of the smaller n / l), or 1;
-//!                                                          u = 1.15 between even regions side by side, or 1
+//!                                                          u = 1.15 or 1.4 between even regions side by side
 //!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
 //!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
 //!     g  mean rises of lightness across and down, half of those from one element to the next
@@ -52,9 +52,11 @@ struct FourRegions;
 class UnionCost
 {
 public:
-    //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count.
+    //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count. log_larger is the
+    //! logarithm of u.
     UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area);
+              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
+              int log_larger);
 
     //! Finds the costs of the edges from one on.
     void find(EdgeList& list, size_t first) const;
@@ -82,6 +84,7 @@ private:
     v_float32x4 slope_, slope_in_cell_; // of a squared slope, to a squared distance
     v_int16x8 rounding_; // of slopes
     v_int32x4 log_usual_area_; // above it, unions are expensive
+    v_int32x4 log_larger_;     // so much larger are those that even regions may make
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_lightness_, brightness_and_chroma_, areas_and_excess_, length_and_contrast_,
