@@ -101,11 +101,16 @@ TEST(ximgproc_GWatershed_truth, rows_that_alternate_are_no_slope)
 }
 
 // A pixel that leaves a straight boundary takes more of it than faint edges pay for, if its price does not follow them.
+// Holes in depth are no noise of it.
 TEST(ximgproc_GWatershed_truth, faint_things_are_found)
 {
     const int pictures = 4, step = 12, noise = 1;
+    Mat depth(240, 320, CV_16UC1);
+    for (int y = 0; y < depth.rows; y++)
+        for (int x = 0; x < depth.cols; x++)
+            depth.at<ushort>(y, x) = ushort((7 * x + 3 * y) % 10 == 0 ? 0 : 1000 + y);
     for (int region_size : { 20, 30 })
-        for (int effort : { 1, 3 })
+        for (int way : { 0, 1, 2 }) // usual, with depth, with the most effort
         {
             RNG rng(20);
             double wrong = 0;
@@ -119,11 +124,11 @@ TEST(ximgproc_GWatershed_truth, faint_things_are_found)
                 rng.fill(grain, RNG::NORMAL, 0, noise);
                 cv::add(100 + step * things, grain, image, noArray(), CV_8U);
                 Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
-                gws->setEffort(effort);
-                gws->iterate();
+                gws->setEffort(way == 2 ? 3 : 1);
+                gws->iterate(image, way == 1 ? depth : Mat());
                 wrong += wrongShare(gws, things) / pictures;
             }
-            EXPECT_LT(wrong, 0.01) << region_size << ", effort " << effort;
+            EXPECT_LT(wrong, 0.01) << region_size << ", " << way;
         }
 }
 

@@ -50,10 +50,10 @@ private:
 
 // Each of these adds some rows of quads to a list.
 
-//! All pixels that may leave.
+//! All pixels beside another label, also those that cannot leave before others have moved.
 void listBoundary(const Padded<uchar>& masks, const Range& rows, BoundaryList& list);
 
-//! Those pixels that may leave and have marks. The marks are taken away.
+//! Those of them that have marks. The marks are taken away.
 void listMarked(const Padded<uchar>& masks, const Range& rows, Padded<uchar>& marks, BoundaryList& list);
 
 }}} // namespace

@@ -5,15 +5,16 @@
 #ifndef OPENCV_GWATERSHED_IMAGE_CONTRAST_HPP
 #define OPENCV_GWATERSHED_IMAGE_CONTRAST_HPP
 
-#include "shared/features.hpp"
+#include "rgwatershed/feature_pyramid.hpp"
 #include "shared/region_distance.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
 //! The highest price of boundary that the contrast of an image can pay, in squared levels for a quarter of an edge:
-//! with a higher one, no pixel would leave a straight boundary. From some rows of the pixels inside of a mask; if it is
-//! empty, of all.
-double mostPriceFor(const FeatureMap& pixels, const Mat& mask, const RegionDistance& distance);
+//! with a higher one, no pixel would leave a straight boundary. The masks are those of the pixels and of the top level
+//! of the pyramid; if they are empty, all are inside.
+double mostPriceFor(const PyramidLevel* pyramid, int top, const Mat& mask, const Mat& mask_of_top,
+                    const RegionDistance& distance);
 
 }}} // namespace
 

@@ -35,7 +35,7 @@ int RGWatershed::run(const Frame& frame, const Parameters& parameters, int num_i
     const Mat mask = frame.mask.empty() ? Mat() : masks_.mask(top);
 
     makePyramid(frame, parameters.lab_input, plan.levels, masks_, features_);
-    plan.limitPrices(mostPriceFor(features_[0], frame.mask, plan.sweep.distance));
+    plan.limitPrices(mostPriceFor(features_, top, frame.mask, mask, plan.sweep.distance));
     regions_.surfaces.present = false; // until they are measured, after the flood
     std::vector<int> first_markers;
     if (!frame.markers.empty())
@@ -213,6 +213,8 @@ void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, const std::v
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules,
           planUnions(first_markers, markers_.in_cell, regions_.size()), merge_buffers);
+    regions_.for_merging = false;
+    regions_.update();
     SweepRules rules = plan.sweepOn(0);
     rules.last = num_iterations == 1;
     sweepers_[0].sweepAll(1, features_[0], rules, labels_[0], regions_);

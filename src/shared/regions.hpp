@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 struct RegionMean
 {
     short color[3];
-    short depth; //!< NO_DEPTH if none, or once regions are found less than a quarter, of the pixels have one
+    short depth; //!< NO_DEPTH if no pixel has one; after Regions::update() also if !hasDepth()
 
     enum { NO_DEPTH = -1 };
 };
@@ -68,7 +68,7 @@ struct RegionSum
     }
 
     //! Whether enough pixels have depth, as one in 2x2: a few, at an edge of what has it, do not tell that of a region.
-    bool hasDepth() const { return depth_area > 0 && depth_area >= area / 4; }
+    bool hasDepth() const { return depth_area > 0 && 4 * int64(depth_area) >= area; }
 
     RegionMean mean() const
     {
@@ -94,6 +94,7 @@ struct Regions
     std::vector<RegionMean> means;
     std::vector<RegionSum> sums;
     RegionSurfaces surfaces;
+    bool for_merging = false; //!< a few depths are better than none there
 
     int size() const { return int(sums.size()); }
     void resize(int n)

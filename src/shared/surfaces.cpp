@@ -85,11 +85,12 @@ struct FourSurfaceSums
         const v_float32x4 y_sums(float(a.y), float(b.y), float(c.y), float(d.y));
         const v_float32x4 nx_sums(float(a.normal_x), float(b.normal_x), float(c.normal_x), float(d.normal_x));
         const v_float32x4 ny_sums(float(a.normal_y), float(b.normal_y), float(c.normal_y), float(d.normal_y));
-        center_x = divide(x_sums, places, SurfaceMean::CENTER_UNIT);
-        center_y = divide(y_sums, places, SurfaceMean::CENTER_UNIT);
+        const v_int32x4 have_depth = isPositive(depth_areas); // places of depths that do not count have sums, too
+        center_x = bitAnd(divide(x_sums, places, SurfaceMean::CENTER_UNIT), have_depth);
+        center_y = bitAnd(divide(y_sums, places, SurfaceMean::CENTER_UNIT), have_depth);
         x = divide(nx_sums, normals, STEPS_PER_LEVEL);
         y = divide(ny_sums, normals, STEPS_PER_LEVEL);
-        known = bitAnd(isPositive(depth_areas), isPositive(normal_areas));
+        known = bitAnd(have_depth, isPositive(normal_areas));
     }
 
     v_int32x4 depths, center_x, center_y;

@@ -344,14 +344,14 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers; below 14x14 pixels mostly larger blocks, too | 0.85 | 0.0675 |
-    | 1 | as the class documentation says | 1 | 0.0635 |
+    | 0 | fewer markers; below 14x14 pixels mostly larger blocks, too | 0.85 | 0.0672 |
+    | 1 | as the class documentation says | 1 | 0.0633 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.0612 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.0586 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.0584 |
 
     Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is that of
-    400 superpixels on BSDS500 (train). In temporal mode, and with setDepthAdaptive(true), 3 is the same as 2; with 8x8,
-    5x5, 4x4, 2x2 and 1x1 pixels 0 is the same as 1. With user markers effort has no effect. */
+    400 superpixels on BSDS500 (train). In temporal mode, and where setDepthAdaptive(true) acts, 3 is the same as 2;
+    with 8x8, 5x5, 4x4, 2x2 and 1x1 pixels 0 is the same as 1. With user markers effort has no effect. */
     CV_WRAP virtual void setEffort(int effort = 1) = 0;
     /** @brief The effort. @see setEffort */
     CV_WRAP virtual int getEffort() const = 0;
