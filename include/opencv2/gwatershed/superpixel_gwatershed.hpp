@@ -204,13 +204,13 @@ public:
     for all numbers are nested, and later calls cost little more than writing labels. Superpixels stay connected.
     Labels keep their order, without gaps. enforceLabelConnectivity() and mergeSmall() start a new order if they merge.
 
-    Without depth, superpixels that are nothing but an edge, up to two pixels wide and of a colour between those of
-    both sides, join a side first. Then cheap pairs merge, in rounds. The cost of a pair is Ward's criterion
+    Without depth, superpixels that are nothing but an edge, up to two pixels wide and of a colour between those of both
+    sides, join a side first. Then cheap pairs merge, in rounds. The cost of a pair is Ward's criterion
     @cite Beaulieu1989 with more factors, as a product of powers: the contrast across the common boundary and its
     length, the textures of both and their directions, lightness, chroma, what lies around (without depth), and the area
-    of the union, which is hardly ever more than 2.9 times the mean. On a slope that both are parts of, all directions
-    cost alike. Distances are those of RGWATERSHED, with surfaces if there are any; alpha weighs depth. Where colours
-    are equal, a plan decides: the image is divided into tiles of ten superpixels, these into halves, to single ones.
+    of the union, hardly ever more than 2.9 times the mean (of even parts 3.3). On a slope that both are parts of, all
+    directions cost alike. Distances are those of RGWATERSHED, with surfaces if there are any; alpha weighs depth. Where
+    colours are equal, a plan decides: the image is divided into tiles of ten superpixels, and these into halves.
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
     in the components of a mask. If iterate() gave no more than that, nothing is merged.
 
@@ -330,9 +330,9 @@ public:
 
     /** @brief Sets the compactness.
     @param ruler 0 or more, finite. Default 10, the best all-round setting. 0 follows the image alone, and boundaries
-    are ragged. Small values give high boundary recall, larger ones more compact superpixels, though never squares. The
-    effect depends little on the size of superpixels, from 10x10 pixels on, and, with the same setValueRange(), not on
-    the bit depth of the image. GWATERSHED ignores it.
+    are ragged. Small values give high boundary recall, larger ones more compact superpixels, though never squares.
+    Images that are faint all over are followed all the same. The effect depends little on the size of superpixels, from
+    10x10 pixels on, and, with the same setValueRange(), not on the bit depth of the image. GWATERSHED ignores it.
 
     ![ruler from 0 to 40](pics/gwatershed_ruler.jpg) */
     CV_WRAP virtual void setRuler(float ruler = 10.0f) = 0;
