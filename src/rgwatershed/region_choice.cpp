@@ -191,8 +191,11 @@ int RegionChoice::findGains(const int* pixels, int n, int y, Gain* gains) const
         for (int i = 0; i < num_open; i += FOUR)
         {
             FourChoices four;
-            v_transpose4x4(v_load(&open[i].pixel), v_load(&open[i + 1].pixel), v_load(&open[i + 2].pixel),
-                           v_load(&open[i + 3].pixel), four.pixels, four.regions, four.masks, four.energies);
+            v_int32x4 of_pixels[FOUR];
+            for (int k = 0; k < FOUR; k++)
+                of_pixels[k] = v_load(&open[i + k].pixel);
+            v_transpose4x4(of_pixels[0], of_pixels[1], of_pixels[2], of_pixels[3], four.pixels, four.regions,
+                           four.masks, four.energies);
             compare(v_load(b.squares + i), std::min(num_open - i, int(FOUR)), four, choices);
         }
     }

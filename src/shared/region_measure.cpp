@@ -252,7 +252,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, const RegionD
         weights[k] = short(distance.weights[0][k % 4] * STEPS_PER_LEVEL / FULL_WEIGHT);
     std::vector<ColorSum> sums(regions.size());
     sumColors(features, labels, true, v_load(weights), sums);
-    regions.for_merging = true;
+    regions.few_depths_count = true;
     setSums(features, labels, sums, regions);
     textures.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
@@ -264,7 +264,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regi
     CV_TRACE_FUNCTION();
     std::vector<ColorSum> sums(regions.size());
     sumColors(features, labels, false, v_setzero_s16(), sums);
-    regions.for_merging = false;
+    regions.few_depths_count = false;
     setSums(features, labels, sums, regions);
 }
 

@@ -56,14 +56,14 @@ template <typename NumberOf> void Regions::updateSurfaces(int count, const Numbe
     SurfaceSolver(surfaces.camera).solveAll(count, [&](int k) -> SurfaceSolver::Source
     {
         const int i = numberOf(k);
-        return { &surfaces.sums[i], means[i].depth, for_merging || sums[i].hasDepth() ? sums[i].depth_area : 0 };
+        return { &surfaces.sums[i], means[i].depth, few_depths_count || sums[i].hasDepth() ? sums[i].depth_area : 0 };
     }, [&](int k, const SurfaceMean& mean) { surfaces.means[numberOf(k)] = mean; });
 }
 
 void Regions::updateMean(int i)
 {
     means[i] = sums[i].mean();
-    if (!for_merging && !sums[i].hasDepth())
+    if (!few_depths_count && !sums[i].hasDepth())
         means[i].depth = RegionMean::NO_DEPTH;
 }
 

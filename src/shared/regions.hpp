@@ -94,7 +94,7 @@ struct Regions
     std::vector<RegionMean> means;
     std::vector<RegionSum> sums;
     RegionSurfaces surfaces;
-    bool for_merging = false; //!< a few depths are better than none there
+    bool few_depths_count = false; //!< as while pixels are merged: also of those that are not enough, see hasDepth()
 
     int size() const { return int(sums.size()); }
     void resize(int n)
