@@ -22,6 +22,7 @@ public:
     {
         int pixel, region, mask, energy;
     };
+    static_assert(sizeof(Gain) == 4 * sizeof(int), "it is loaded and stored as a vector");
 
     //! masks are those of the pixels with their own labels; length_price is the energy of a quarter of an edge.
     RegionChoice(const FeatureMap& features, const Padded<int>& labels, const Padded<uchar>& masks,

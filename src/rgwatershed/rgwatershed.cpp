@@ -213,8 +213,8 @@ void RGWatershed::mergePixels(const Frame& frame, const Plan& plan, const std::v
     measureRegions(features_[0], labels, plan.flood_distance, regions_, merge_buffers.textures);
     merge(plan, 0, frame.num_superpixels, plan.pixel_merge_rules,
           planUnions(first_markers, markers_.in_cell, regions_.size()), merge_buffers);
-    regions_.few_depths_count = false; // pixels at the end of depth do not go over
-    regions_.update();
+    if (!frame.depth.empty())
+        regions_.update(); // few depths do not count any more: pixels at the end of depth do not go over
     SweepRules rules = plan.sweepOn(0);
     rules.last = num_iterations == 1;
     sweepers_[0].sweepAll(1, features_[0], rules, labels_[0], regions_);

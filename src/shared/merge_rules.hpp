@@ -39,6 +39,7 @@ struct MergeRules
     int noise = 0;         //!< a squared distance that means little, in 1/64 of a squared level
     int noise_in_cell = 24; //!< the same in a cell, or part of a plan
     int in_cell = 1;       //!< so many regions of consecutive numbers share a cell of a grid
+    bool few_depths_count = false; //!< also where most of a region has no depth, see Regions::update()
     bool on_surface = false; //!< areas are those on the surface, not in the image
     int num_kept = 0;      //!< so many regions, the first ones, stay apart rather than any others
     bool grow = false;     //!< what is united grows broader later, when boundaries are settled
@@ -48,6 +49,7 @@ struct MergeRules
 inline MergeRules mergeByTextures()
 {
     MergeRules rules;
+    rules.few_depths_count = true; // of sparse depth they are all that there is
     rules.distance = 37;
     rules.with_depth = 56;
     rules.areas = 64;

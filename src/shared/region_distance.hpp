@@ -146,8 +146,8 @@ public:
 
         const v_int32x4 no_depth = missingDepth(depths, mean_depths);
         const v_int32x4 first = choose(no_depth, 0), second = choose(no_depth, 2);
-        const v_int32x4 has_depth = v_shr<31>(subtract(v_setzero_s32(), v_shr<16>(depths)));
-        v_int32x4 sum = bitAnd(bitAnd(has_depth, v_shr<31>(mean_depths)), v_setall_s32(STEP_TO_UNKNOWN * depth_share));
+        const v_int32x4 have_depth = isPositive(v_shr<16>(depths)), are_unknown = v_shr<31>(mean_depths);
+        v_int32x4 sum = bitAnd(bitAnd(have_depth, are_unknown), v_setall_s32(STEP_TO_UNKNOWN * depth_share));
         mean_depths = putSecond(mean_depths, planeDepths(slopes, bases, x, y));
         if (WITH_NORMALS)
             sum = add(sum, ofNormals(n, normals));

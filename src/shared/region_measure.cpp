@@ -229,16 +229,17 @@ void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures
     }, sums);
 }
 
-void setSums(const FeatureMap& features, const Mat& labels, const std::vector<ColorSum>& sums, Regions& regions)
+void setSums(const FeatureMap& features, const Mat& labels, const std::vector<ColorSum>& sums, bool few_depths_count,
+             Regions& regions)
 {
     regions.surfaces.present = false;
     regions.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = sums[i].toRegion();
     if (features.withNormals())
-        measureSurfaces(features, labels, regions);
+        measureSurfaces(features, labels, regions, few_depths_count);
     else
-        regions.update();
+        regions.update(few_depths_count);
 }
 
 } // namespace
@@ -252,8 +253,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, const RegionD
         weights[k] = short(distance.weights[0][k % 4] * STEPS_PER_LEVEL / FULL_WEIGHT);
     std::vector<ColorSum> sums(regions.size());
     sumColors(features, labels, true, v_load(weights), sums);
-    regions.few_depths_count = true;
-    setSums(features, labels, sums, regions);
+    setSums(features, labels, sums, true, regions);
     textures.resize(regions.size());
     for (int i = 0; i < regions.size(); i++)
         textures[i] = sums[i].toTexture(distance.weights[0]);
@@ -264,8 +264,7 @@ void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regi
     CV_TRACE_FUNCTION();
     std::vector<ColorSum> sums(regions.size());
     sumColors(features, labels, false, v_setzero_s16(), sums);
-    regions.few_depths_count = false;
-    setSums(features, labels, sums, regions);
+    setSums(features, labels, sums, false, regions);
 }
 
 //! Sums of places and normals fit into 32 bits in a row, whose places are those of 16 bits.
@@ -291,13 +290,13 @@ static void addRun(const FeatureMap& features, int y, const Range& xs, SurfaceSu
     to.y += int64(count) * y;
 }
 
-void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions)
+void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions, bool few_depths_count)
 {
     CV_TRACE_FUNCTION();
     regions.surfaces.start(features.camera, regions.size());
     sumByLabel(labels, [&](SurfaceSum& sum, int y, const Range& xs) { addRun(features, y, xs, sum); },
                regions.surfaces.sums);
-    regions.update();
+    regions.update(few_depths_count);
 }
 
 }}} // namespace

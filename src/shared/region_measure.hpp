@@ -53,12 +53,12 @@ static_assert(sizeof(RegionTexture) == 48, "it is read as three vectors");
 //! Computes sums and means of all regions of a CV_32SC1 label map. Labels below 0 do not count.
 void measureRegions(const FeatureMap& features, const Mat& labels, Regions& regions);
 
-//! The same, and the texture of each region.
+//! The same for regions that are to be merged: few depths count, and textures are measured, too.
 void measureRegions(const FeatureMap& features, const Mat& labels, const RegionDistance& distance, Regions& regions,
                     std::vector<RegionTexture>& textures);
 
 //! Computes the surfaces of regions whose other sums are known, and all means.
-void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions);
+void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& regions, bool few_depths_count = false);
 
 }}} // namespace
 

@@ -292,7 +292,7 @@ void SimilarMerger::unite(const MergePair* first, const MergePair* end, std::vec
         regions_.unite(pair->from, pair->to);
     for (const MergePair* pair = first; pair != end && !b_.contexts.empty(); pair++)
         b_.contexts.unite(pair->from, pair->to);
-    regions_.update(grown);
+    regions_.update(grown, rules_.few_depths_count);
     describer_.describe(grown, b_.records);
     if (!b_.contexts.empty())
         b_.contexts.update(grown, b_.records);

@@ -51,36 +51,34 @@ void Regions::unite(int from, int to)
 }
 
 //! Of those that numberOf(0), ... name.
-template <typename NumberOf> void Regions::updateSurfaces(int count, const NumberOf& numberOf)
+template <typename NumberOf>
+void Regions::updateAll(int count, const NumberOf& numberOf, bool few_depths_count)
 {
+    const auto haveDepth = [&](int i) { return few_depths_count || sums[i].hasDepth(); };
+    for (int k = 0; k < count; k++)
+    {
+        const int i = numberOf(k);
+        means[i] = sums[i].mean();
+        if (!haveDepth(i))
+            means[i].depth = RegionMean::NO_DEPTH;
+    }
+    if (!surfaces.present)
+        return;
     SurfaceSolver(surfaces.camera).solveAll(count, [&](int k) -> SurfaceSolver::Source
     {
         const int i = numberOf(k);
-        return { &surfaces.sums[i], means[i].depth, few_depths_count || sums[i].hasDepth() ? sums[i].depth_area : 0 };
+        return { &surfaces.sums[i], means[i].depth, haveDepth(i) ? sums[i].depth_area : 0 };
     }, [&](int k, const SurfaceMean& mean) { surfaces.means[numberOf(k)] = mean; });
 }
 
-void Regions::updateMean(int i)
+void Regions::update(const Range& range, bool few_depths_count)
 {
-    means[i] = sums[i].mean();
-    if (!few_depths_count && !sums[i].hasDepth())
-        means[i].depth = RegionMean::NO_DEPTH;
+    updateAll(range.size(), [&](int k) { return range.start + k; }, few_depths_count);
 }
 
-void Regions::update(const Range& range)
+void Regions::update(const std::vector<int>& numbers, bool few_depths_count)
 {
-    for (int i = range.start; i < range.end; i++)
-        updateMean(i);
-    if (surfaces.present)
-        updateSurfaces(range.size(), [&](int i) { return range.start + i; });
-}
-
-void Regions::update(const std::vector<int>& numbers)
-{
-    for (int i : numbers)
-        updateMean(i);
-    if (surfaces.present)
-        updateSurfaces(int(numbers.size()), [&](int i) { return numbers[i]; });
+    updateAll(int(numbers.size()), [&](int k) { return numbers[k]; }, few_depths_count);
 }
 
 }}} // namespace

@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 struct RegionMean
 {
     short color[3];
-    short depth; //!< NO_DEPTH if no pixel has one; after Regions::update() also if !hasDepth()
+    short depth; //!< NO_DEPTH if no pixel has one; after Regions::update() mostly also if !hasDepth()
 
     enum { NO_DEPTH = -1 };
 };
@@ -94,7 +94,6 @@ struct Regions
     std::vector<RegionMean> means;
     std::vector<RegionSum> sums;
     RegionSurfaces surfaces;
-    bool few_depths_count = false; //!< as while pixels are merged: also of those that are not enough, see hasDepth()
 
     int size() const { return int(sums.size()); }
     void resize(int n)
@@ -110,14 +109,14 @@ struct Regions
     void copy(int from, int to);
     //! Adds the pixels of a region to those of another one, whose means stay as they are.
     void unite(int from, int to);
-    //! Takes the means of some regions anew.
-    void update(const std::vector<int>& numbers);
-    void update(const Range& range);
-    void update() { update(Range(0, size())); }
+    //! Takes the means of some regions anew. If few depths count, they are the depth of their region even where
+    //! hasDepth() says that they are not enough.
+    void update(const std::vector<int>& numbers, bool few_depths_count = false);
+    void update(const Range& range, bool few_depths_count = false);
+    void update(bool few_depths_count = false) { update(Range(0, size()), few_depths_count); }
 
 private:
-    void updateMean(int i);
-    template <typename NumberOf> void updateSurfaces(int count, const NumberOf& numberOf);
+    template <typename NumberOf> void updateAll(int count, const NumberOf& numberOf, bool few_depths_count);
 };
 
 }}} // namespace
