@@ -344,10 +344,10 @@ public:
 
     | effort | flood and merging | time | UE |
     |---|---|---|---|
-    | 0 | fewer markers; below 14x14 pixels mostly larger blocks, too | 0.85 | 0.0672 |
+    | 0 | fewer markers; below 14x14 pixels mostly larger blocks, too | 0.83 | 0.0672 |
     | 1 | as the class documentation says | 1 | 0.0633 |
     | 2 | smaller blocks, up to eight markers for each superpixel | 2 | 0.0612 |
-    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3 | 0.0584 |
+    | 3 | up to ten markers, and the last regions are merged when boundaries are settled to the pixel | 3.2 | 0.0584 |
 
     Time is relative to 1; smaller superpixels than 6x6 pixels take up to 17 times that of 1 with 2 and 3. UE is that of
     400 superpixels on BSDS500 (train). In temporal mode, and where setDepthAdaptive(true) acts, 3 is the same as 2;
