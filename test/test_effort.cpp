@@ -237,7 +237,7 @@ TEST(ximgproc_SuperpixelGWatershed, most_effort_counts_where_there_are_surfaces)
                     Size(rng.uniform(10, 50), rng.uniform(10, 40)), rng.uniform(0, 180), 0, 360, Scalar(k), FILLED);
         for (int k = 1; k < 12; k++)
             image.setTo(Scalar(rng.uniform(90, 150), rng.uniform(90, 150), rng.uniform(90, 150)), things == k);
-        rng.fill(grain, RNG::NORMAL, 0, 4);
+        rng.fill(grain, RNG::NORMAL, Scalar::all(0), Scalar::all(4));
         cv::add(image, grain, image, noArray(), CV_8U);
         for (int y = 0; y < size.height; y++)
             for (int x = 0; x < size.width; x++)

@@ -171,7 +171,7 @@ TEST_P(ximgproc_GWatershed_markers, many_points_in_noise_share_the_image)
 {
     const Size size(512, 480);
     Mat image(size, CV_8UC3), noise(size, CV_8SC3), markers = Mat::zeros(size, CV_32SC1);
-    theRNG().fill(noise, RNG::NORMAL, 0, 5);
+    theRNG().fill(noise, RNG::NORMAL, Scalar::all(0), Scalar::all(5));
     cv::add(Mat(size, CV_8UC3, Scalar(90, 80, 70)), noise, image, noArray(), CV_8U);
     int count = 0;
     for (int y = 10; y < size.height; y += 20)

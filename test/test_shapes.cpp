@@ -348,11 +348,11 @@ TEST(ximgproc_SuperpixelGWatershed, few_ramps_between_two_colours_become_strips)
     for (int i = 0; i < num_ramps; i++)
     {
         Mat colors(1, 2, CV_64FC3), ramp(240, 320, CV_64FC3), noise(ramp.size(), CV_64FC3), image;
-        rng.fill(colors, RNG::UNIFORM, 0, 256);
+        rng.fill(colors, RNG::UNIFORM, Scalar::all(0), Scalar::all(256));
         const Vec3d from = colors.at<Vec3d>(0), to = colors.at<Vec3d>(1);
         for (int x = 0; x < ramp.cols; x++)
             ramp.col(x).setTo(Scalar(from + (to - from) * (x / 319.)));
-        rng.fill(noise, RNG::NORMAL, 0, i % 2);
+        rng.fill(noise, RNG::NORMAL, Scalar::all(0), Scalar::all(i % 2));
         cv::add(ramp, noise, image, noArray(), CV_8U);
         Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, 13 + 4 * (i % 3));
         gws->iterate();
