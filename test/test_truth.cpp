@@ -14,7 +14,7 @@ struct Drawing
     Mat image, things;
 };
 
-//! Ellipses and boxes of many grays, or colours, with soft edges.
+//! Ellipses and boxes of many greys, or colours, with soft edges.
 Drawing drawThings(int type, RNG& rng)
 {
     const Size size(320, 240);

@@ -12,7 +12,7 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Rows that one task takes: what is made of them stays in the cache up to a width of 4K.
 static const int BAND = 32;
 
-//! Rows of an 8-bit image in gray, with a frame of one pixel; beyond the borders of the image it is mirrored.
+//! Rows of an 8-bit image in grey, with a frame of one pixel; beyond the borders of the image it is mirrored.
 static Mat makeGray(const Mat& image, const Range& rows)
 {
     const Mat part = image.rowRange(std::max(rows.start - 1, 0), std::min(rows.end + 1, image.rows));

@@ -9,7 +9,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Sobel magnitude of the gray image and of depth, weighted by alpha in 1/256: CV_16UC1, 0..1140.
+//! Sobel magnitude of the grey image and of depth, weighted by alpha in 1/256: CV_16UC1, 0..1140.
 void computeGradientMap(const Mat& color, const Mat& depth, int alpha, Mat& gradient);
 
 }}} // namespace

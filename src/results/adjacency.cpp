@@ -11,7 +11,7 @@ namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-//! A pixel for contrasts: 8-bit colour (all three equal in a gray image) and scaled depth, 0 if it is missing.
+//! A pixel for contrasts: 8-bit colour (all three equal in a grey image) and scaled depth, 0 if it is missing.
 struct Pixel
 {
     uchar b, g, r, depth;
