@@ -20,9 +20,8 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     Regions regions;
     regions.resize(num_labels);
     measureRegions(features, labels, distance, regions, buffers.textures);
-    buffers.graph.build(labels, num_labels, features, distance);
     const MergeRules rules = distance.with_depth ? mergeByTextures() : mergeByContext();
-    SimilarMerger merger(distance, rules, buffers, regions, planUnions(labels, num_labels));
+    SimilarMerger merger(labels, features, distance, rules, buffers, regions, planUnions(labels, num_labels));
     unions_ = merger.runToTheEnd();
 
     labels_ = labels;

@@ -17,8 +17,7 @@ std::vector<int> mergeSimilarRegions(int num_regions, const Padded<Feature>& fea
     if (regions.size() <= num_regions)
         return left;
     Mat map = labels.view();
-    buffers.graph.build(map, regions.size(), features, distance);
-    SimilarMerger merger(distance, rules, buffers, regions, plan);
+    SimilarMerger merger(map, features, distance, rules, buffers, regions, plan);
     merger.run(num_regions);
 
     const std::vector<int>& parents = merger.parents();

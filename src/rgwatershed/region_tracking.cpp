@@ -211,8 +211,8 @@ void RegionTracker::mergeAll(const Plan& plan, const PyramidLevel* pyramid, int 
     for (int i = 0; i < regions.size(); i++)
         areas[i] = regions.sums[i].area;
     measureBlockTextures(pyramid, plan.levels, plan.flood_distance, labels, regions.size(), steps_, buffers.textures);
-    buffers.graph.build(map, regions.size(), features, plan.flood_distance);
-    SimilarMerger merger(plan.flood_distance, trackedMergeRules(plan.merge_rules, num_kept), buffers, regions);
+    SimilarMerger merger(map, features, plan.flood_distance, trackedMergeRules(plan.merge_rules, num_kept), buffers,
+                         regions);
     merger.run(int(change.changed.size()));
     const std::vector<int>& parents = merger.parents();
     nameGroups(parents, areas, change.names, num_kept, numbers);

@@ -21,11 +21,12 @@ static const double SHARE_IN_ORDER = 0.4, SHARE_AT_END = 0.35, HIGHEST_SHARE = 0
 // are united first are parts of larger ones later, so they may be larger until a part of the regions is left.
 enum { LARGER = LOG_ONE / 5, LARGER_AT_FIRST = LOG_ONE / 2, FIRST_PART = 5 };
 
-SimilarMerger::SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers,
-                             Regions& regions, const UnionPlan& plan)
+SimilarMerger::SimilarMerger(const Mat& labels, const Padded<Feature>& features, const RegionDistance& distance,
+                             const MergeRules& rules, MergeBuffers& buffers, Regions& regions, const UnionPlan& plan)
     : distance_(distance), rules_(rules), plan_(plan), b_(buffers), regions_(regions),
       describer_(distance_, rules_, regions_, b_.textures, plan_), num_left_(regions.size())
 {
+    b_.graph.build(labels, num_left_, features, distance_);
     start();
 }
 

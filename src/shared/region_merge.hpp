@@ -11,7 +11,7 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Buffers of merging. The graph and the textures are also its input.
+//! Buffers of merging. The textures are also its input.
 struct MergeBuffers
 {
     MergeGraph graph;
@@ -29,9 +29,10 @@ struct MergeBuffers
 class SimilarMerger
 {
 public:
-    //! The graph of the buffers must have been built of the regions. Where colours are even, a plan, if there is one,
-    //! says which unions go first.
-    SimilarMerger(const RegionDistance& distance, const MergeRules& rules, MergeBuffers& buffers, Regions& regions,
+    //! The regions of a CV_32SC1 label map, which stays as it is. Where colours are even, a plan, if there is one, says
+    //! which unions go first.
+    SimilarMerger(const Mat& labels, const Padded<Feature>& features, const RegionDistance& distance,
+                  const MergeRules& rules, MergeBuffers& buffers, Regions& regions,
                   const UnionPlan& plan = UnionPlan());
     SimilarMerger(const SimilarMerger&) = delete; // what describes regions refers to other members
 
