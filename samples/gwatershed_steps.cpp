@@ -13,13 +13,13 @@
 
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/block_markers.hpp"
-#include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/boundary_sweep.hpp"
 #include "rgwatershed/edge_blocks.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/region_flood.hpp"
 #include "rgwatershed/region_labels.hpp"
+#include "rgwatershed/similar_merge.hpp"
 #include "rgwatershed/tuning.hpp"
 
 #include <iostream>

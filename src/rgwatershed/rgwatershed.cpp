@@ -5,11 +5,11 @@
 #include "precomp.hpp"
 #include "rgwatershed/rgwatershed.hpp"
 #include "rgwatershed/block_gradient.hpp"
-#include "rgwatershed/block_merge.hpp"
 #include "rgwatershed/block_texture.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/image_contrast.hpp"
 #include "rgwatershed/region_labels.hpp"
+#include "rgwatershed/similar_merge.hpp"
 #include "shared/region_measure.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "rgwatershed/block_merge.hpp"
+#include "rgwatershed/similar_merge.hpp"
 #include "shared/renumber.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
