@@ -5,12 +5,10 @@
 #include "precomp.hpp"
 #include "gwatershed/gradient_map.hpp"
 #include "shared/alpha.hpp"
+#include "shared/row_chunks.hpp"
 #include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
-
-//! Rows that one task takes: what is made of them stays in the cache up to a width of 4K.
-static const int BAND = 32;
 
 //! Rows of an 8-bit image in grey, with a frame of one pixel; beyond the borders of the image it is mirrored.
 static Mat makeGray(const Mat& image, const Range& rows)
@@ -75,36 +73,33 @@ static void sobelMagnitude(const Mat& image, const Range& rows, Mat& magnitude)
 //! Adds the gradient of depth with the weight 1 - alpha, where no depth is missing in the window.
 static void addDepthGradient(const Mat& depth, const Range& rows, int alpha, Mat& gradient)
 {
-    const Mat band = depth.rowRange(rows);
-    Mat lowest, depth_gradient(band.size(), CV_16UC1);
+    const Mat part = depth.rowRange(rows);
+    Mat lowest, depth_gradient(part.size(), CV_16UC1);
     sobelMagnitude(depth, rows, depth_gradient);
-    erode(band, lowest, Mat()); // 0: the 3x3 window holds a missing depth
-    for (int y = 0; y < band.rows; y++)
+    erode(part, lowest, Mat()); // 0: the 3x3 window holds a missing depth
+    for (int y = 0; y < part.rows; y++)
     {
         const ushort* from = depth_gradient.ptr<ushort>(y);
         const uchar* complete = lowest.ptr(y);
         ushort* to = gradient.ptr<ushort>(y);
-        for (int x = 0; x < band.cols; x++)
+        for (int x = 0; x < part.cols; x++)
             if (complete[x])
                 to[x] = ushort(weighByAlpha(alpha, to[x], from[x]));
     }
 }
 
-//! Section III.A. The steps work in bands of rows, one task each.
+//! Section III.A.
 void computeGradientMap(const Mat& color, const Mat& depth, int alpha, Mat& gradient)
 {
     CV_TRACE_FUNCTION();
+    const int ROWS = 32; // what is made of them stays in the cache up to a width of 4K
     gradient.create(color.size(), CV_16UC1);
-    parallel_for_(Range(0, (color.rows + BAND - 1) / BAND), [&](const Range& bands)
+    RowChunks(color.rows, ROWS).forAll([&](int, const Range& rows)
     {
-        for (int i = bands.start; i < bands.end; i++)
-        {
-            const Range rows(i * BAND, std::min((i + 1) * BAND, color.rows));
-            Mat band = gradient.rowRange(rows);
-            sobelMagnitude(color, rows, band);
-            if (!depth.empty())
-                addDepthGradient(depth, rows, alpha, band);
-        }
+        Mat part = gradient.rowRange(rows);
+        sobelMagnitude(color, rows, part);
+        if (!depth.empty())
+            addDepthGradient(depth, rows, alpha, part);
     });
 }
 

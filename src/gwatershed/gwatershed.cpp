@@ -64,8 +64,8 @@ FeatureMap GWatershed::features(bool lab_input) const
 
 void GWatershed::drawLines(Mat& mask) const
 {
-    for (const LineBuffers::Band& band : line_buffers_.bands)
-        for (int pixel : band.lines)
+    for (const LineBuffers::Chunk& chunk : line_buffers_.chunks)
+        for (int pixel : chunk.lines)
             if (pixels_.data()[pixel].state > 0)
                 mask.at<uchar>(pixels_.point(pixel)) = 255;
 }

@@ -6,6 +6,7 @@
 #include "gwatershed/pixel_map.hpp"
 #include "shared/alpha.hpp"
 #include "shared/masks.hpp"
+#include "shared/row_chunks.hpp"
 #include <opencv2/core/hal/intrin.hpp>
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -123,15 +124,16 @@ void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& grad
                   PixelMap& pixels)
 {
     CV_TRACE_FUNCTION();
-    const int BAND = 32, cols = color.cols;
+    const int ROWS = 32, cols = color.cols;
     const int threshold = border_threshold > 0 ? cvCeil(std::min(border_threshold, 65535.f)) : 65535;
     const RowComparison rows(color, depth, alpha);
+    const RowChunks chunks(color.rows, ROWS);
     const FloodPixel frame = { FRAME, 0 };
     pixels.create(color.size(), frame);
-    parallel_for_(Range(0, (color.rows + BAND - 1) / BAND), [&](const Range& bands)
+    parallel_for_(Range(0, chunks.size()), [&](const Range& range)
     {
         std::vector<uchar> beside(cols + 1), above(cols), below(cols);
-        const int first = bands.start * BAND, end = std::min(bands.end * BAND, color.rows);
+        const int first = chunks[range.start].start, end = chunks[range.end - 1].end;
         rows.compareAbove(first, above.data());
         for (int y = first; y < end; y++)
         {

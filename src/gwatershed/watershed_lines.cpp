@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "gwatershed/watershed_lines.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -62,30 +63,28 @@ static void setLabels(const std::vector<int>& lines, const std::vector<int>& lab
             rest.push_back(lines[i]);
 }
 
-//! The first round, of all lines. Each band chooses by itself, before any pixel changes. The pixels of the next round
-//! are those that have a labelled neighbour now.
+//! The first round, of all lines. Each chunk of rows chooses by itself, before any pixel changes. The pixels of the
+//! next round are those that have a labelled neighbour now.
 static void labelThinLines(PixelMap& map, LineBuffers& buffers)
 {
-    const int BAND = 32, height = map.size().height;
-    std::vector<LineBuffers::Band>& bands = buffers.bands;
-    bands.resize((height + BAND - 1) / BAND);
-    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    const int ROWS = 32;
+    const RowChunks chunks(map.size().height, ROWS);
+    buffers.chunks.resize(chunks.size());
+    chunks.forAll([&](int k, const Range& rows)
     {
-        for (int i = range.start; i < range.end; i++)
-        {
-            collectLines(map, Range(i * BAND, std::min((i + 1) * BAND, height)), bands[i].lines);
-            bands[i].labels.resize(bands[i].lines.size());
-            chooseLabels(map, Range(0, int(bands[i].lines.size())), bands[i].lines, bands[i].labels);
-        }
+        LineBuffers::Chunk& chunk = buffers.chunks[k];
+        collectLines(map, rows, chunk.lines);
+        chunk.labels.resize(chunk.lines.size());
+        chooseLabels(map, Range(0, int(chunk.lines.size())), chunk.lines, chunk.labels);
     });
-    parallel_for_(Range(0, int(bands.size())), [&](const Range& range)
+    chunks.forAll([&](int k, const Range&)
     {
-        for (int i = range.start; i < range.end; i++)
-            setLabels(bands[i].lines, bands[i].labels, map, bands[i].rest);
+        LineBuffers::Chunk& chunk = buffers.chunks[k];
+        setLabels(chunk.lines, chunk.labels, map, chunk.rest);
     });
     buffers.round.clear();
-    for (const LineBuffers::Band& band : bands)
-        for (int pixel : band.rest)
+    for (const LineBuffers::Chunk& chunk : buffers.chunks)
+        for (int pixel : chunk.rest)
             if (nearestLabel(map.data() + pixel, map.step()) != UNLABELLED)
             {
                 map.data()[pixel].state = IN_QUEUE;

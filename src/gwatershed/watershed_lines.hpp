@@ -12,12 +12,12 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Indices of pixels, and labels.
 struct LineBuffers
 {
-    struct Band
+    struct Chunk
     {
         std::vector<int> lines; //!< all that the flood left without a label in some rows
         std::vector<int> labels, rest;
     };
-    std::vector<Band> bands;
+    std::vector<Chunk> chunks;
     std::vector<int> round, later; // pixels that are given a label now, and next
     std::vector<int> labels;       // of a round
 };

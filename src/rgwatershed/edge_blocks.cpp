@@ -6,6 +6,7 @@
 #include "rgwatershed/edge_blocks.hpp"
 #include "rgwatershed/region_labels.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -117,26 +118,24 @@ static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, 
 void EdgeBlocks::takeSides(const Padded<int>& labels, Padded<Feature>& blocks)
 {
     CV_TRACE_FUNCTION();
-    const int BAND_HEIGHT = 16, height = blocks.size().height;
-    found_.resize(blocks.size().width < GROUP ? 0 : (height + BAND_HEIGHT - 1) / BAND_HEIGHT);
-    parallel_for_(Range(0, int(found_.size())), [&](const Range& range)
+    const int ROWS = 16;
+    const RowChunks chunks(blocks.size().width < GROUP ? 0 : blocks.size().height, ROWS);
+    found_.resize(chunks.size());
+    chunks.forAll([&](int k, const Range& rows)
     {
-        for (int i = range.start; i < range.end; i++)
-        {
-            found_[i].clear();
-            for (int y = i * BAND_HEIGHT; y < std::min((i + 1) * BAND_HEIGHT, height); y++)
-                findInRow(blocks, labels, y, found_[i]);
-        }
+        found_[k].clear();
+        for (int y = rows.start; y < rows.end; y++)
+            findInRow(blocks, labels, y, found_[k]);
     });
-    for (std::vector<EdgeBlock>& band : found_)
-        for (EdgeBlock& block : band)
+    for (std::vector<EdgeBlock>& chunk : found_)
+        for (EdgeBlock& block : chunk)
             exchangeColors(block, blocks);
 }
 
 void EdgeBlocks::takeBack(const Padded<int>& labels, Padded<Feature>& blocks, Regions& regions)
 {
-    for (std::vector<EdgeBlock>& band : found_)
-        for (EdgeBlock& block : band)
+    for (std::vector<EdgeBlock>& chunk : found_)
+        for (EdgeBlock& block : chunk)
         {
             const Feature& feature = blocks.data()[block.at];
             RegionSum& sum = regions.sums[labels.data()[block.at]]; // all are in one: each component has a marker

@@ -27,7 +27,7 @@ public:
     void takeBack(const Padded<int>& labels, Padded<Feature>& blocks, Regions& regions);
 
 private:
-    std::vector<std::vector<EdgeBlock> > found_; // by bands of rows
+    std::vector<std::vector<EdgeBlock> > found_; // by chunks of rows
 };
 
 }}} // namespace

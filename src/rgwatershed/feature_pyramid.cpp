@@ -6,6 +6,7 @@
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/block_normals.hpp"
 #include "rgwatershed/tuning.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -229,9 +230,9 @@ static void createLevels(const Frame& frame, const BlockLevels& levels, PyramidL
     }
 }
 
-//! Some rows of a level, those of a band.
+//! Some rows of a level, those of a chunk.
 static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& levels, int level, const Range& rows,
-                     int band, PyramidLevel* features)
+                     int chunk, PyramidLevel* features)
 {
     const Mat &color = frame.color, &depth = frame.depth;
     if (level == 0)
@@ -241,15 +242,15 @@ static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& leve
     }
     const BlockGrid grid = levels.grid(level, color.size());
     const auto makeBlocks = levels.ratio(level) == 3 ? thirdFeatures : halveFeatures;
-    std::vector<LostDepth>& lost_depths = features[level].lost_depths[band];
+    std::vector<LostDepth>& lost_depths = features[level].lost_depths[chunk];
     lost_depths.clear();
     makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level], lost_depths);
 }
 
 void addLostDepths(const PyramidLevel& blocks, const Padded<int>& labels, Regions& regions)
 {
-    for (const std::vector<LostDepth>& band : blocks.lost_depths)
-        for (const LostDepth& lost : band)
+    for (const std::vector<LostDepth>& chunk : blocks.lost_depths)
+        for (const LostDepth& lost : chunk)
         {
             const int label = labels.row(lost.block.y)[lost.block.x];
             if (label >= 0)
@@ -270,9 +271,9 @@ static void fillHoles(const Mat& mask, const Mat& blocks, const Range& rows, Pad
     }
 }
 
-//! All levels of a band, of which some rows of the last level are known; its blocks are whole.
-static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
-                     const Range& top_rows, int band, PyramidLevel* features)
+//! All levels of a chunk, of which the rows of the last level are known; its blocks are whole.
+static void makeChunk(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
+                      const Range& top_rows, int chunk, PyramidLevel* features)
 {
     Range rows[MAX_LEVEL + 1]; // on each level
     rows[levels.top] = top_rows;
@@ -283,7 +284,7 @@ static void makeBand(const Frame& frame, bool lab_input, const BlockLevels& leve
     }
     for (int level = 0; level <= levels.top; level++)
     {
-        makeRows(frame, lab_input, levels, level, rows[level], band, features);
+        makeRows(frame, lab_input, levels, level, rows[level], chunk, features);
         if (!frame.mask.empty() && level < levels.top)
             fillHoles(masks.mask(level), masks.mask(level + 1), rows[level], features[level]);
     }
@@ -294,17 +295,11 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
 {
     CV_TRACE_FUNCTION();
     createLevels(frame, levels, features);
-    const int BAND_HEIGHT = 24; // about, while its rows are in the cache
-    const int height = BAND_HEIGHT / levels.side(levels.top), num_rows = features[levels.top].size().height;
-    const int num_bands = (num_rows + height - 1) / height;
+    const int ROWS = 24; // of pixels, about: these stay in the cache
+    const RowChunks chunks(features[levels.top].size().height, ROWS / levels.side(levels.top));
     for (int level = 1; level <= levels.top; level++)
-        features[level].lost_depths.resize(num_bands);
-    parallel_for_(Range(0, num_bands), [&](const Range& range)
-    {
-        for (int i = range.start; i < range.end; i++)
-            makeBand(frame, lab_input, levels, masks, Range(i * height, std::min((i + 1) * height, num_rows)), i,
-                     features);
-    });
+        features[level].lost_depths.resize(chunks.size());
+    chunks.forAll([&](int k, const Range& rows) { makeChunk(frame, lab_input, levels, masks, rows, k, features); });
 }
 
 }}} // namespace

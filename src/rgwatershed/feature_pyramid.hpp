@@ -47,7 +47,7 @@ struct LostDepth
 //! The features of a level.
 struct PyramidLevel : FeatureMap
 {
-    std::vector<std::vector<LostDepth> > lost_depths; //!< by bands of rows
+    std::vector<std::vector<LostDepth> > lost_depths; //!< by chunks of rows
 };
 
 //! Opponent colours, or colours as they are, and depth, on all levels. A block has the mean of those it is made of;

@@ -9,21 +9,6 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The rows of a label map in chunks that are worked on at the same time. These do not depend on the number of threads.
-class RowChunks
-{
-public:
-    explicit RowChunks(int num_rows) : num_rows_(num_rows), height_(std::max(16, (num_rows + MOST - 1) / MOST)) {}
-
-    int size() const { return (num_rows_ + height_ - 1) / height_; }
-    Range operator[](int k) const { return Range(k * height_, std::min((k + 1) * height_, num_rows_)); }
-
-private:
-    enum { MOST = 32 };
-
-    int num_rows_, height_;
-};
-
 //! Writes to `positions`, in order, where two rows differ; it has room for cols. Returns how many these are.
 inline int listDifferences(const int* row, const int* other, int cols, int* positions)
 {

@@ -6,6 +6,7 @@
 #define OPENCV_GWATERSHED_LABEL_SUMS_HPP
 
 #include "shared/label_runs.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -67,7 +68,7 @@ private:
 template <typename Sum, typename AddRun>
 void sumByLabel(const Mat& labels, const AddRun& addRun, std::vector<Sum>& sums)
 {
-    const RowChunks chunks(labels.rows);
+    const RowChunks chunks = fewChunks(labels.rows);
     std::vector<SumsOfRows<Sum> > parts(chunks.size());
     parallel_for_(Range(0, chunks.size()), [&](const Range& range)
     {

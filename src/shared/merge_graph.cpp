@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "shared/merge_graph.hpp"
 #include "shared/label_runs.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -126,7 +127,7 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
 {
     CV_TRACE_FUNCTION();
     const RegionDistance between_pixels = distance.withoutSurface();
-    const RowChunks chunks(labels.rows);
+    const RowChunks chunks = fewChunks(labels.rows);
     const int LARGE = 64; // pixels; the boundaries of smaller ones have few in common with the rows above
     const bool large_regions = labels.total() > LARGE * size_t(num_regions);
     setRegions(num_regions);
