@@ -86,10 +86,10 @@ void BoundarySweeper::sweep(const List& list, const FeatureMap& features, const 
 {
     CV_TRACE_FUNCTION();
     const RegionChoice choice(features, labels, masks_, regions, rules.distance, rules.length_price);
-    const Bands all = bands();
-    const WaveTables tables = { choice, features, rules, regions, labels, masks_, marks_, lists_, all };
-    lists_.divide(all.count(), std::max(1, getNumThreads()));
-    moves_.resize(2 * all.count() - 1);
+    const SweepBands bands((masks_.size().height + 1) / 2);
+    const WaveTables tables = { choice, features, rules, regions, labels, masks_, marks_, lists_, bands };
+    lists_.divide(bands.count(), std::max(1, getNumThreads()));
+    moves_.resize(2 * bands.count() - 1);
     for (Moves& moves : moves_)
         moves.clear();
     sweepGroups(list, tables);
@@ -136,7 +136,7 @@ void BoundarySweeper::sweepWithin(int band, const List& list, const WaveTables& 
 //! What is left between a band and the one above it, when both are done.
 void BoundarySweeper::sweepAbove(int band, const WaveTables& tables)
 {
-    const Bands& bands = tables.bands;
+    const SweepBands& bands = tables.bands;
     runWave(tables, ClassRows::between(bands.first(band), bands.numRows()), moves_[bands.count() + band - 1]);
 }
 

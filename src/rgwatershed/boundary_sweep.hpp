@@ -46,7 +46,6 @@ private:
                    Padded<int>& labels, Regions& regions);
     void sweep(const List& list, const FeatureMap& features, const SweepRules& rules, Padded<int>& labels,
                Regions& regions);
-    Bands bands() const { return Bands((masks_.size().height + 1) / 2); }
     void sweepGroups(const List& list, const WaveTables& tables);
     void sweepWithin(int band, const List& list, const WaveTables& tables);
     void sweepAbove(int band, const WaveTables& tables);

@@ -19,10 +19,10 @@ namespace cv { namespace ximgproc { namespace gws {
 
 //! Rows of quads in bands of nearly equal heights, at least 5, so that the rows left out between bands do not meet. The
 //! number of bands is even, so that two threads have the same.
-class Bands
+class SweepBands
 {
 public:
-    explicit Bands(int num_rows)
+    explicit SweepBands(int num_rows)
         : num_rows_(num_rows), count_(num_rows <= HEIGHT ? 1 : (num_rows + 2 * HEIGHT - 1) / (2 * HEIGHT) * 2)
     {
     }
@@ -130,7 +130,7 @@ struct WaveTables
     Padded<uchar>& masks;
     Padded<uchar>& marks;
     BandLists& lists;
-    const Bands& bands;
+    const SweepBands& bands;
 };
 
 //! Takes some rows of quads through all four classes: what one thread does. Rows are in lists already.

@@ -17,12 +17,12 @@ template <bool WITH_DEPTH> class RegionFlood
 {
 public:
     RegionFlood(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
-                const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Band& band, Padded<int>& labels)
+                const Range& rows, std::vector<FloodRegion>& regions, FloodBuffers::Front& front, Padded<int>& labels)
         : features_(features.data()), regions_(regions.data()), labels_(labels),
           priorities_of_(distance, ruler), usual_area_(usual_area), step_(labels.step()), offsets_(labels.neighbors()),
           first_(labels.index(Point(-1, rows.start - 1))), begin_(labels.index(Point(0, rows.start))),
-          last_(labels.index(Point(labels.size().width - 1, rows.end - 1))), queues_(band.queues),
-          waiting_(band.waiting)
+          last_(labels.index(Point(labels.size().width - 1, rows.end - 1))), queues_(front.queues),
+          waiting_(front.waiting)
     {
         queues_.clear();
         waiting_.assign(size_t(step_) * (rows.size() + 2), short(CLOSED));
@@ -129,13 +129,13 @@ private:
 //! Floods some rows from seeds, by regions that are ready in the buffers.
 static void floodRows(const Padded<Feature>& features, const RegionDistance& distance, int ruler, int usual_area,
                       const Range& rows, const Point* first_seed, const Point* end_seed, FloodBuffers& buffers,
-                      FloodBuffers::Band& band, Padded<int>& labels)
+                      FloodBuffers::Front& front, Padded<int>& labels)
 {
     if (distance.with_depth)
-        RegionFlood<true>(features, distance, ruler, usual_area, rows, buffers.regions, band, labels)
+        RegionFlood<true>(features, distance, ruler, usual_area, rows, buffers.regions, front, labels)
             .run(first_seed, end_seed);
     else
-        RegionFlood<false>(features, distance, ruler, usual_area, rows, buffers.regions, band, labels)
+        RegionFlood<false>(features, distance, ruler, usual_area, rows, buffers.regions, front, labels)
             .run(first_seed, end_seed);
 }
 
@@ -209,7 +209,7 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
     buffers.regions.resize(regions.size());
     const int num_bands = int(bands.size()), num_groups = std::min<int>(num_bands, FloodBuffers::MOST_GROUPS);
     const auto firstOf = [&](int group) { return int(int64(num_bands) * group / num_groups); };
-    buffers.bands.resize(num_groups);
+    buffers.fronts.resize(num_groups);
     parallel_for_(Range(0, num_groups), [&](const Range& groups)
     {
         for (int i = firstOf(groups.start); i < firstOf(groups.end); i++)
@@ -217,7 +217,7 @@ void floodFromPoints(const FeatureMap& features, const std::vector<Point>& marke
             const Range &own = bands[i].markers, numbers(first + own.start, first + own.end);
             plantMarkers(features, markers, middles, own, numbers.start, labels, buffers.regions.data());
             floodRows(features, distance, ruler, usual_area, bands[i].rows, markers.data() + own.start,
-                      markers.data() + own.end, buffers, buffers.bands[groups.start], labels);
+                      markers.data() + own.end, buffers, buffers.fronts[groups.start], labels);
             takeSums(features, buffers.regions, numbers, bands[i].rows, labels, regions);
         }
     });
@@ -266,11 +266,11 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
     findSeeds(labels, seeds);
     const std::vector<Point> middles = ruler > 0 ? findMiddles(labels, regions) : std::vector<Point>(regions.size());
     buffers.regions.resize(regions.size());
-    buffers.bands.resize(1);
+    buffers.fronts.resize(1);
     for (int i = 0; i < regions.size(); i++)
         buffers.regions[i] = FloodRegion(regions.sums[i], Point(), middles[i]);
     floodRows(features, distance, ruler, ANY_AREA, Range(0, labels.size().height), seeds.data(),
-              seeds.data() + seeds.size(), buffers, buffers.bands[0], labels);
+              seeds.data() + seeds.size(), buffers, buffers.fronts[0], labels);
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
     if (features.withNormals())

@@ -18,12 +18,13 @@ struct FloodBuffers
     enum { PRIORITIES = 1024, MOST_GROUPS = 32 };
     typedef BucketQueue<PRIORITIES> Queue;
 
-    struct Band
+    //! What waits at the front of a flood.
+    struct Front
     {
         Queue queues;
         std::vector<short> waiting;
     };
-    std::vector<Band> bands; // for groups of bands: those of a group are flooded one after the other
+    std::vector<Front> fronts; // for groups of bands: those of a group are flooded one after the other
     std::vector<Point> seeds; // blocks that the flood begins with
     std::vector<FloodRegion> regions;
 };

@@ -15,34 +15,35 @@ namespace {
 class Tiling
 {
 public:
-    Tiling(Size grid, int num_tiles) : width_(grid.width), bands_of_rows_(grid.height)
+    Tiling(Size grid, int num_tiles) : width_(grid.width), tiles_of_rows_(grid.height)
     {
         const int ROWS = 3, num_bands = std::max(1, grid.height / ROWS);
         for (int i = 0, top = 0, first = 0; i < num_bands; i++)
         {
             const int bottom = int(int64(i + 1) * grid.height / num_bands);
             const double share = double(bottom - top) / (grid.height - top);
-            const Band band = { first, std::max(1, cvRound((num_tiles - first) * share)) };
-            std::fill(bands_of_rows_.begin() + top, bands_of_rows_.begin() + bottom, band);
-            first += band.count;
+            const Tiles tiles = { first, std::max(1, cvRound((num_tiles - first) * share)) };
+            std::fill(tiles_of_rows_.begin() + top, tiles_of_rows_.begin() + bottom, tiles);
+            first += tiles.count;
             top = bottom;
         }
     }
 
     int tileOf(const Point& cell) const
     {
-        const Band& band = bands_of_rows_[cell.y];
-        return band.first + int(int64(cell.x) * band.count / width_);
+        const Tiles& tiles = tiles_of_rows_[cell.y];
+        return tiles.first + int(int64(cell.x) * tiles.count / width_);
     }
 
 private:
-    struct Band
+    //! Those of a band.
+    struct Tiles
     {
-        int first, count; // of its tiles
+        int first, count;
     };
 
     const int width_;
-    std::vector<Band> bands_of_rows_;
+    std::vector<Tiles> tiles_of_rows_;
 };
 
 //! A region, the cell of a grid in which its centre lies, and its tile.
