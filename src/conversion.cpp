@@ -77,38 +77,25 @@ private:
         const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64, ENOUGH = MIN_VALUES / 8;
         const int64 total = int64(image_.cols) * colors_ * image_.rows;
         const int64 wanted = std::min(std::max(total / PIXELS_PER_VALUE, MIN_VALUES), MAX_VALUES);
-        takeOneOf((total + wanted - 1) / wanted);
+        takeOneOf(sampleStep(total, wanted));
         if (total > wanted && values_.size() < size_t(ENOUGH))
             takeOneOf(1);
     }
 
-    //! One value of each `step`, some at a time.
+    //! The finite ones of one value of each `step`.
     void takeOneOf(int64 step)
     {
-        const size_t AT_ONCE = 16384, bytes = image_.elemSize1();
-        std::vector<uchar> raw;
+        Mat values;
         values_.clear();
-        visitSample(Size(image_.cols * colors_, image_.rows), step, [&](int y, int i)
+        readSample(Size(image_.cols * colors_, image_.rows), step, image_.depth(), [&](int y, int i)
         {
             const int x = i / colors_ * channels_ + i % colors_;
-            const uchar* value = image_.ptr(y) + size_t(x) * bytes;
-            if (counts(y, x))
-                raw.insert(raw.end(), value, value + bytes);
-            if (raw.size() == AT_ONCE * bytes)
-                takeFinite(raw);
+            return counts(y, x) ? image_.ptr(y) + size_t(x) * image_.elemSize1() : 0;
+        }, [&](const Mat& some)
+        {
+            some.convertTo(values, DataType<T>::depth);
+            std::copy_if(values.begin<T>(), values.end<T>(), std::back_inserter(values_), isFinite);
         });
-        takeFinite(raw);
-    }
-
-    //! Moves the finite ones of some values, which are bytes of the type of the image, to the sample.
-    void takeFinite(std::vector<uchar>& raw)
-    {
-        if (raw.empty())
-            return;
-        Mat values;
-        Mat(1, int(raw.size() / image_.elemSize1()), image_.depth(), raw.data()).convertTo(values, DataType<T>::depth);
-        std::copy_if(values.begin<T>(), values.end<T>(), std::back_inserter(values_), isFinite);
-        raw.clear();
     }
 
     //! Values outside of the mask and of a fourth channel do not count.

@@ -8,34 +8,22 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Some pixels at a time: where step is 1, all of them would be a second depth map.
 DepthSample sampleDepths(const Mat& depth, int64 step, float farthest)
 {
-    const size_t AT_ONCE = 4096, size = depth.elemSize();
-    std::vector<uchar> bytes;
-    std::vector<float> values(AT_ONCE);
+    std::vector<float> values;
     DepthSample sample = { {}, false };
-    const auto take = [&]()
+    readSample(depth.size(), step, depth.type(), [&](int y, int x) { return depth.ptr(y, x); }, [&](const Mat& some)
     {
-        const int count = int(bytes.size() / size);
-        readDepths(Mat(1, count, depth.type(), bytes.data()), values.data());
-        for (int i = 0; i < count; i++)
+        values.resize(some.cols);
+        readDepths(some, values.data());
+        for (float any : values)
         {
-            const float value = std::min(values[i], farthest);
+            const float value = std::min(any, farthest);
             sample.has_far |= isFarDepth(value);
             if (isValidDepth(value))
                 sample.depths.push_back(value);
         }
-        bytes.clear();
-    };
-    visitSample(depth.size(), step, [&](int y, int x)
-    {
-        bytes.insert(bytes.end(), depth.ptr(y, x), depth.ptr(y, x) + size);
-        if (bytes.size() == AT_ONCE * size)
-            take();
     });
-    if (!bytes.empty())
-        take();
     return sample;
 }
 

@@ -82,7 +82,7 @@ private:
 DepthSample sampleFrame(const Mat& depth)
 {
     const int64 ALL = 65536, MANY = 32768, ENOUGH = MANY / 8, total = int64(depth.rows) * depth.cols;
-    const DepthSample sample = sampleDepths(depth, total <= ALL ? 1 : (total + MANY - 1) / MANY);
+    const DepthSample sample = sampleDepths(depth, total <= ALL ? 1 : sampleStep(total, MANY));
     return total <= ALL || int64(sample.depths.size()) >= ENOUGH ? sample : sampleDepths(depth, 1);
 }
 

@@ -124,7 +124,7 @@ static bool hasTwoDepths(const Mat& depth, float farthest)
 DepthSpan findSpan(const Mat& depth, float farthest)
 {
     const int64 MANY = 8192, ENOUGH = MANY / 2, total = int64(depth.rows) * depth.cols;
-    for (int64 step = (total + MANY - 1) / MANY;;)
+    for (int64 step = sampleStep(total, MANY);;)
     {
         DepthSample sample = sampleDepths(depth, step, farthest);
         int64 count = int64(sample.depths.size());

@@ -17,11 +17,18 @@ inline int64 drawLot(int64 index, int64 end)
     return int64(((value >> 32) * uint64(end)) >> 32);
 }
 
-//! Calls visit(y, x) for one element of each `step` elements that follow one another in the order of rows. Which one
-//! of them is drawn by lot, so that no lattice of elements is always met, or always missed.
-template <typename Visit> inline void visitSample(Size size, int64 step, Visit visit)
+//! The step of a sample of so many of all elements, at most.
+inline int64 sampleStep(int64 total, int64 most) { return (total + most - 1) / most; }
+
+//! Takes one element of each `step` elements that follow one another in the order of rows. Which one of them is drawn
+//! by lot, so that no lattice of elements is always met, or always missed. addressOf(y, x) says where it lies, or 0 if
+//! it does not count. Calls take(row) for some of them at a time: all, where step is 1, would be a second image.
+template <typename AddressOf, typename Take>
+void readSample(Size size, int64 step, int type, const AddressOf& addressOf, const Take& take)
 {
+    const size_t AT_ONCE = 4096, bytes_of_one = CV_ELEM_SIZE(type);
     const int64 total = int64(size.width) * size.height;
+    std::vector<uchar> bytes;
     int64 row_begin = 0;
     int y = 0;
     for (int64 first = 0; first < total; first += step)
@@ -29,7 +36,13 @@ template <typename Visit> inline void visitSample(Size size, int64 step, Visit v
         const int64 index = first + drawLot(first, std::min(step, total - first));
         for (; index >= row_begin + size.width; row_begin += size.width)
             y++;
-        visit(y, int(index - row_begin));
+        if (const uchar* const element = addressOf(y, int(index - row_begin)))
+            bytes.insert(bytes.end(), element, element + bytes_of_one);
+        if (bytes.size() < AT_ONCE * bytes_of_one && first + step < total)
+            continue;
+        if (!bytes.empty())
+            take(Mat(1, int(bytes.size() / bytes_of_one), type, bytes.data()));
+        bytes.clear();
     }
 }
 
