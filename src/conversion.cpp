@@ -116,7 +116,7 @@ private:
     static bool isFinite(T value) { return std::abs(value) <= std::numeric_limits<T>::max(); }
 
     //! Calls visit(values, count) for the rows; those that do not count are NaN.
-    template <typename Visit> void forRows(Visit visit) const
+    template <typename Visit> void forValues(Visit visit) const
     {
         parallel_for_(Range(0, row_.height), [&](const Range& rows)
         {
@@ -140,7 +140,7 @@ private:
         if (image_.depth() == CV_16U || image_.depth() == CV_8S)
             return true;
         std::atomic<int64> outside(0), finite(0);
-        forRows([&](const T* values, int count)
+        forValues([&](const T* values, int count)
         {
             int known = 0, lower = 0, higher = 0, infinite = 0;
             for (int x = 0; x < count; x++)
@@ -200,7 +200,7 @@ private:
         const ValueRange none = { std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest() };
         ValueRange extrema = none;
         Mutex mutex;
-        forRows([&](const T* values, int count)
+        forValues([&](const T* values, int count)
         {
             ValueRange row = none;
             for (int x = 0; x < count; x++)

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "user_markers.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -28,14 +29,11 @@ int numberMarkers(const Mat& markers, const Mat& mask, Mat& numbered)
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
 
-    parallel_for_(Range(0, numbered.rows), [&](const Range& range)
+    forRows(Range(0, numbered.rows), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            int* row = numbered.ptr<int>(y);
-            for (int x = 0; x < numbered.cols; x++)
-                row[x] = row[x] ? int(std::lower_bound(values.begin(), values.end(), row[x]) - values.begin()) : -1;
-        }
+        int* row = numbered.ptr<int>(y);
+        for (int x = 0; x < numbered.cols; x++)
+            row[x] = row[x] ? int(std::lower_bound(values.begin(), values.end(), row[x]) - values.begin()) : -1;
     });
     return int(values.size());
 }

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "depth/surface_normals.hpp"
 #include "shared/features.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -165,11 +166,8 @@ bool findNormals(const Camera& camera, const InverseDepths& inverses, Mat& raw_n
     raw_normals.row(0).setTo(Scalar(0));
     raw_normals.row(blocks.height + 1).setTo(Scalar(0));
     const NormalFinder finder(camera, blocks);
-    parallel_for_(Range(0, blocks.height), [&](const Range& rows)
-    {
-        for (int y = rows.start; y < rows.end; y++)
-            finder.findRow(inverses.row(y), inverses.step(), y, raw_normals.ptr<int>(y + 1));
-    });
+    forRows(Range(0, blocks.height),
+            [&](int y) { finder.findRow(inverses.row(y), inverses.step(), y, raw_normals.ptr<int>(y + 1)); });
     if (FEW * countNonZero(raw_normals) <= countNonZero(inverses.buffer))
         return false;
     normals.create(blocks.height, raw_normals.cols, CV_8UC2);

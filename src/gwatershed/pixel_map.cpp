@@ -181,15 +181,12 @@ void extractLabels(const PixelMap& pixels, Mat& labels)
 {
     CV_TRACE_FUNCTION();
     labels.create(pixels.size(), CV_32SC1);
-    parallel_for_(Range(0, labels.rows), [&](const Range& range)
+    forRows(Range(0, labels.rows), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const FloodPixel* from = pixels.row(y);
-            int* to = labels.ptr<int>(y);
-            for (int x = 0; x < labels.cols; x++)
-                to[x] = std::max(from[x].state, 0) - 1;
-        }
+        const FloodPixel* from = pixels.row(y);
+        int* to = labels.ptr<int>(y);
+        for (int x = 0; x < labels.cols; x++)
+            to[x] = std::max(from[x].state, 0) - 1;
     });
 }
 

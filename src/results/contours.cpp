@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "results/contours.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -24,20 +25,17 @@ void drawContours(const Mat& labels, bool thick_line, Mat& mask)
 {
     CV_TRACE_FUNCTION();
     const int rows = labels.rows, cols = labels.cols;
-    parallel_for_(Range(0, rows), [&](const Range& range)
+    forRows(Range(0, rows), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const int* row = labels.ptr<int>(y);
-            const int* below = labels.ptr<int>(std::min(y + 1, rows - 1));
-            const int* above = labels.ptr<int>(std::max(y - 1, 0));
-            uchar* to = mask.ptr(y);
-            std::fill_n(to, cols, uchar(0));
-            markDifferences(row, row + 1, cols - 1, to, to + 1, thick_line);
-            markDifferences(row, below, cols, to, to, false);
-            if (thick_line)
-                markDifferences(row, above, cols, to, to, false);
-        }
+        const int* row = labels.ptr<int>(y);
+        const int* below = labels.ptr<int>(std::min(y + 1, rows - 1));
+        const int* above = labels.ptr<int>(std::max(y - 1, 0));
+        uchar* to = mask.ptr(y);
+        std::fill_n(to, cols, uchar(0));
+        markDifferences(row, row + 1, cols - 1, to, to + 1, thick_line);
+        markDifferences(row, below, cols, to, to, false);
+        if (thick_line)
+            markDifferences(row, above, cols, to, to, false);
     });
 }
 

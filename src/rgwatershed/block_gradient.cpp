@@ -6,6 +6,7 @@
 #include "rgwatershed/block_gradient.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/masks.hpp"
+#include "shared/row_chunks.hpp"
 #include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -72,10 +73,9 @@ void computeBlockGradient(const Padded<Feature>& features, const RegionDistance&
     gradient.create(features.size(), CV_16UC1);
     gradient.row(0).setTo(Scalar(UNKNOWN_GRADIENT));
     gradient.row(rows - 1).setTo(Scalar(UNKNOWN_GRADIENT));
-    parallel_for_(Range(1, std::max(1, rows - 1)), [&](const Range& range)
+    forRows(Range(1, std::max(1, rows - 1)), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-            gradientOfRow(features.row(y), features.step(), distance, gradient.cols, gradient.ptr<ushort>(y));
+        gradientOfRow(features.row(y), features.step(), distance, gradient.cols, gradient.ptr<ushort>(y));
     });
     if (!mask.empty())
         forgetGradients(mask, gradient);

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/block_texture.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -77,11 +78,10 @@ static void findSteps(const Padded<Feature>& elements, const BlockGrid& grid, co
         rights[x] = grid.columns.start(x + 1) - 1;
     }
     steps.create(grid.rows.count, padded_width, CV_16SC(SUMS));
-    parallel_for_(Range(0, grid.rows.count), [&](const Range& rows)
+    forRows(Range(0, grid.rows.count), [&](int y)
     {
-        for (int y = rows.start; y < rows.end; y++)
-            findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
-                      rights.data(), width, weights, steps.ptr<short>(y));
+        findSteps(elements.row(grid.rows.start(y)), elements.row(grid.rows.start(y + 1) - 1), lefts.data(),
+                  rights.data(), width, weights, steps.ptr<short>(y));
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "shared/renumber.hpp"
+#include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -27,14 +28,11 @@ int numberRegions(const std::vector<int>& parents, std::vector<int>& numbers)
 
 void renumber(const std::vector<int>& numbers, Mat& labels)
 {
-    parallel_for_(Range(0, labels.rows), [&](const Range& range)
+    forRows(Range(0, labels.rows), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            int* row = labels.ptr<int>(y);
-            for (int x = 0; x < labels.cols; x++)
-                row[x] = row[x] < 0 ? row[x] : numbers[row[x]];
-        }
+        int* row = labels.ptr<int>(y);
+        for (int x = 0; x < labels.cols; x++)
+            row[x] = row[x] < 0 ? row[x] : numbers[row[x]];
     });
 }
 
@@ -43,18 +41,15 @@ void copyNumbered(const Mat& from, const std::vector<int>& numbers, Mat& to)
     std::vector<int> shifted(1, -1);
     shifted.insert(shifted.end(), numbers.begin(), numbers.end());
     const int* const table = shifted.data() + 1;
-    parallel_for_(Range(0, from.rows), [&](const Range& range)
+    forRows(Range(0, from.rows), [&](int y)
     {
-        for (int y = range.start; y < range.end; y++)
-        {
-            const int *row = from.ptr<int>(y), *const end = row + from.cols;
-            int* numbered = to.ptr<int>(y);
-            for (; row + 4 <= end; row += 4, numbered += 4)
-                for (int k = 0; k < 4; k++)
-                    numbered[k] = table[row[k]];
-            for (; row < end; row++)
-                *numbered++ = table[*row];
-        }
+        const int *row = from.ptr<int>(y), *const end = row + from.cols;
+        int* numbered = to.ptr<int>(y);
+        for (; row + 4 <= end; row += 4, numbered += 4)
+            for (int k = 0; k < 4; k++)
+                numbered[k] = table[row[k]];
+        for (; row < end; row++)
+            *numbered++ = table[*row];
     });
 }
 

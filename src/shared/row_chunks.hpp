@@ -9,6 +9,16 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+//! Calls body(y) for some rows, at the same time for different ones.
+template <typename Body> void forRows(const Range& rows, const Body& body)
+{
+    parallel_for_(rows, [&](const Range& range)
+    {
+        for (int y = range.start; y < range.end; y++)
+            body(y);
+    });
+}
+
 //! Rows in chunks of one height, but the last one, that are worked on at the same time. They do not depend on the
 //! number of threads.
 class RowChunks
@@ -22,11 +32,7 @@ public:
     //! Calls body(k, rows) for all chunks.
     template <typename Body> void forAll(const Body& body) const
     {
-        parallel_for_(Range(0, size()), [&](const Range& range)
-        {
-            for (int k = range.start; k < range.end; k++)
-                body(k, (*this)[k]);
-        });
+        forRows(Range(0, size()), [&](int k) { body(k, (*this)[k]); });
     }
 
 private:
