@@ -71,7 +71,7 @@ private:
         return std::all_of(values_.begin(), values_.end(), [](T value) { return int(value) % 257 == 0; });
     }
 
-    //! The finite values of a sample; of all values, if too few of these count.
+    //! The finite values of a sample; of all values, if too few of these count: one of OUTLIERS must be some.
     void takeSample()
     {
         const int64 MIN_VALUES = 16384, MAX_VALUES = 65536, PIXELS_PER_VALUE = 64, ENOUGH = MIN_VALUES / 8;

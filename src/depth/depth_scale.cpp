@@ -81,7 +81,8 @@ private:
 //! Of all pixels of a small image, or where those of a sample have few depths.
 DepthSample sampleFrame(const Mat& depth)
 {
-    const int64 ALL = 65536, MANY = 32768, ENOUGH = MANY / 8, total = int64(depth.rows) * depth.cols;
+    const int64 total = int64(depth.rows) * depth.cols;
+    const int64 ALL = 65536, MANY = 32768, ENOUGH = MANY / 8; // a hundredth of them, an end, are 40 depths at least
     const DepthSample sample = sampleDepths(depth, total <= ALL ? 1 : sampleStep(total, MANY));
     return total <= ALL || int64(sample.depths.size()) >= ENOUGH ? sample : sampleDepths(depth, 1);
 }

@@ -123,7 +123,8 @@ static bool hasTwoDepths(const Mat& depth, float farthest)
 
 DepthSpan findSpan(const Mat& depth, float farthest)
 {
-    const int64 MANY = 8192, ENOUGH = MANY / 2, total = int64(depth.rows) * depth.cols;
+    const int64 total = int64(depth.rows) * depth.cols;
+    const int64 MANY = 8192, ENOUGH = MANY / 2; // a thousandth of them are 4 depths at least: the near end is not one
     for (int64 step = sampleStep(total, MANY);;)
     {
         DepthSample sample = sampleDepths(depth, step, farthest);

@@ -124,7 +124,7 @@ void makePixelMap(const Mat& color, const Mat& depth, int alpha, const Mat& grad
                   PixelMap& pixels)
 {
     CV_TRACE_FUNCTION();
-    const int ROWS = 32, cols = color.cols;
+    const int ROWS = 32, cols = color.cols; // of a chunk: its first row is compared with the one above once more
     const int threshold = border_threshold > 0 ? cvCeil(std::min(border_threshold, 65535.f)) : 65535;
     const RowComparison rows(color, depth, alpha);
     const RowChunks chunks(color.rows, ROWS);

@@ -67,7 +67,7 @@ static void setLabels(const std::vector<int>& lines, const std::vector<int>& lab
 //! next round are those that have a labelled neighbour now.
 static void labelThinLines(PixelMap& map, LineBuffers& buffers)
 {
-    const int ROWS = 32;
+    const int ROWS = 32; // of a chunk: enough to be worth a task
     const RowChunks chunks(map.size().height, ROWS);
     buffers.chunks.resize(chunks.size());
     chunks.forAll([&](int k, const Range& rows)

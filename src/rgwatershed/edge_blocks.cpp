@@ -118,7 +118,7 @@ static void findInRow(const Padded<Feature>& blocks, const Padded<int>& labels, 
 void EdgeBlocks::takeSides(const Padded<int>& labels, Padded<Feature>& blocks)
 {
     CV_TRACE_FUNCTION();
-    const int ROWS = 16;
+    const int ROWS = 16; // of a chunk: enough to be worth a task
     const RowChunks chunks(blocks.size().width < GROUP ? 0 : blocks.size().height, ROWS);
     found_.resize(chunks.size());
     chunks.forAll([&](int k, const Range& rows)

@@ -48,7 +48,7 @@ static const float SURFACE_TRUST = 2, NORMAL_SCALE = 1.3f;
 
 // Price of boundary, in squared levels for a quarter of an edge: at ruler 10, for superpixels of a
 // side of 17 pixels. It grows with their area, so that small superpixels may follow the image as well.
-static const double PRICE = 22;
+static const double PRICE = 22, SIDE_OF_PRICE = 17;
 
 //! What the effort that the user sets stands for: how fine the flood starts, and what is merged where.
 struct EffortRules
@@ -86,7 +86,7 @@ inline int boundaryPrice(double price, float ruler)
 
 inline int boundaryPrice(double price, double side, float ruler)
 {
-    return boundaryPrice(price * std::min(std::max(side * side / 289, 0.25), 4.), ruler);
+    return boundaryPrice(price * std::min(std::max(side * side / (SIDE_OF_PRICE * SIDE_OF_PRICE), 0.25), 4.), ruler);
 }
 
 //! Whether the buffers of merging so many regions are too large to be kept.

@@ -33,7 +33,7 @@ struct UnionPlan
 UnionPlan planUnions(const Mat& labels, int num_labels);
 
 //! A plan that unites what is left of each cell of a grid. So many regions of consecutive numbers, of which some are
-//! left, were in one; regions from num_left on in none.
+//! left, were in one; regions that have come since, up to num_regions, in none.
 UnionPlan planUnions(const std::vector<int>& left, int in_cell, int num_regions);
 
 }}} // namespace
