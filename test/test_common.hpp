@@ -95,35 +95,20 @@ public:
     size_t largest() const;
 };
 
-class AllocatorGuard
+//! Sets something of OpenCV for as long as it lives.
+template <typename Value, Value (*get)(), void (*set)(Value)> class Guard
 {
 public:
-    explicit AllocatorGuard(MatAllocator* now) : before_(Mat::getDefaultAllocator()) { Mat::setDefaultAllocator(now); }
-    ~AllocatorGuard() { Mat::setDefaultAllocator(before_); }
+    explicit Guard(Value now) : before_(get()) { set(now); }
+    ~Guard() { set(before_); }
 
 private:
-    MatAllocator* const before_;
+    const Value before_;
 };
 
-class ThreadsGuard
-{
-public:
-    explicit ThreadsGuard(int now) : before_(getNumThreads()) { setNumThreads(now); }
-    ~ThreadsGuard() { setNumThreads(before_); }
-
-private:
-    const int before_;
-};
-
-class UseOptimizedGuard
-{
-public:
-    explicit UseOptimizedGuard(bool now) : before_(useOptimized()) { setUseOptimized(now); }
-    ~UseOptimizedGuard() { setUseOptimized(before_); }
-
-private:
-    const bool before_;
-};
+typedef Guard<MatAllocator*, Mat::getDefaultAllocator, Mat::setDefaultAllocator> AllocatorGuard;
+typedef Guard<int, getNumThreads, setNumThreads> ThreadsGuard;
+typedef Guard<bool, useOptimized, setUseOptimized> UseOptimizedGuard;
 
 } // namespace
 
