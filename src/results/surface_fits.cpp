@@ -44,27 +44,23 @@ Vec3f MeanPoint::position(Point2f focal) const
 
 void PlaneFit::add(const DepthRun& run)
 {
-    double area = 0, x = 0, xx = 0, w = 0, xw = 0;
+    PlaneFit of_run;
     for (int i = 0; i < run.length; i++)
     {
         if (!isValidDepth(run.depths[i]))
             continue;
         const double place = run.x + i, inverse = 1 / run.depths[i];
-        area++;
-        x += place;
-        xx += place * place;
-        w += inverse;
-        xw += place * inverse;
+        of_run.area_++;
+        of_run.x_ += place;
+        of_run.xx_ += place * place;
+        of_run.w_ += inverse;
+        of_run.xw_ += place * inverse;
     }
-    area_ += area;
-    x_ += x;
-    y_ += run.y * area;
-    xx_ += xx;
-    xy_ += run.y * x;
-    yy_ += run.y * run.y * area;
-    w_ += w;
-    xw_ += xw;
-    yw_ += run.y * w;
+    of_run.y_ = run.y * of_run.area_;
+    of_run.xy_ = run.y * of_run.x_;
+    of_run.yy_ = run.y * run.y * of_run.area_;
+    of_run.yw_ = run.y * of_run.w_;
+    add(of_run);
 }
 
 void PlaneFit::add(const PlaneFit& other)
