@@ -22,12 +22,12 @@ std::vector<int> mergeSimilarRegions(int num_regions, const Padded<Feature>& fea
 
     const std::vector<int>& parents = merger.parents();
     std::vector<int> numbers;
-    left.reserve(numberRegions(parents, numbers));
+    left.resize(numberRegions(parents, numbers));
     for (int i = 0; i < regions.size(); i++)
         if (parents[i] == i)
         {
             regions.copy(i, numbers[i]);
-            left.push_back(i);
+            left[numbers[i]] = i;
         }
     regions.resize(int(left.size()));
     renumber(numbers, map);

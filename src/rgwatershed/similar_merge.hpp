@@ -10,7 +10,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 //! Merges the most similar neighbours, regions of blocks or of pixels, until num_regions are left. The plan may be
-//! empty. Returns the numbers that those that are left had before, if any were merged.
+//! empty. Returns the number that each of those that are left had before, that of its root, if any were merged.
 std::vector<int> mergeSimilarRegions(int num_regions, const Padded<Feature>& features, const RegionDistance& distance,
                                      const MergeRules& rules, const UnionPlan& plan, MergeBuffers& buffers,
                                      Padded<int>& labels, Regions& regions);

@@ -166,7 +166,8 @@ UnionPlan planUnions(const std::vector<int>& left, int in_cell, int num_regions)
         return plan;
     for (const int region : left)
         plan.parts.push_back(region / in_cell);
-    for (int i = 0; i <= plan.parts.back(); i++)
+    const int last = *std::max_element(plan.parts.begin(), plan.parts.end());
+    for (int i = 0; i <= last; i++)
         plan.above.push_back(i);
     plan.parts.resize(num_regions, -1);
     return plan;
