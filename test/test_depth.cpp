@@ -4,6 +4,8 @@
 
 #include "test_common.hpp"
 
+#include <cfenv>
+
 namespace opencv_test { namespace {
 
 // Blocks through which a step of depth goes have the depth of one side. That of both would be a third surface, whose
@@ -187,5 +189,26 @@ TEST(ximgproc_GWatershed_depth, a_range_that_begins_at_the_camera_leaves_levels_
                 EXPECT_GT(purity(labelsOf(gws), 200, left), 0.995) << range << side << unit;
             }
 }
+
+#ifdef FE_DIVBYZERO
+// Programs that trap floating-point errors would end where depth is missing.
+TEST(ximgproc_GWatershed_depth, holes_are_no_floating_point_error)
+{
+    RNG& rng = theRNG();
+    const ThreadsGuard threads(1); // each thread has flags of its own
+    const Mat image = makeScene(Size(160, 120), rng), depth = makeDepth(image.size(), 0.2, rng);
+    Mat stats, centroids, colors, depths, positions, normals;
+    depth(Rect(20, 20, 60, 60)).setTo(Scalar(0));
+    for (int algorithm : { int(GWATERSHED), int(RGWATERSHED) })
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, algorithm, 12);
+        std::feclearexcept(FE_ALL_EXCEPT);
+        gws->iterate(image, depth);
+        gws->getStatistics(image, depth, stats, centroids, colors, depths, positions, normals);
+        EXPECT_EQ(0, std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)) << algorithm;
+    }
+    EXPECT_FALSE(cv::checkRange(normals)) << "a superpixel lies in the hole, and has none";
+}
+#endif
 
 }} // namespace

@@ -25,13 +25,16 @@ struct NearnessScale
 };
 
 //! Levels of four depths, 0 where depth is missing.
-//! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise.
+//! @note A division comes before the addition, so that no processor can do both in one step, rounded otherwise. It is
+//! by no 0, which would end a program that traps divisions by 0.
 inline v_int32x4 levelsOf(const float* depths, NearnessScale scale)
 {
     const v_float32x4 depth = v_load(depths);
-    const v_float32x4 level = add(v_setall_f32(scale.offset), divide(v_setall_f32(scale.slope), depth));
+    const v_int32x4 is_known = hasDepth(depth);
+    const v_float32x4 divisor = v_select(v_reinterpret_as_f32(is_known), depth, v_setall_f32(1));
+    const v_float32x4 level = add(v_setall_f32(scale.offset), divide(v_setall_f32(scale.slope), divisor));
     const v_float32x4 within = v_min(v_max(level, v_setall_f32(FARTHEST)), v_setall_f32(NEAREST));
-    return bitAnd(v_trunc(within), hasDepth(depth));
+    return bitAnd(v_trunc(within), is_known);
 }
 
 //! The lowest and the highest level of some pixels that have depth.

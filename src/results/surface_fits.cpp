@@ -81,14 +81,15 @@ void PlaneFit::add(const PlaneFit& other)
 Vec3f PlaneFit::normal(Point2f focal) const
 {
     const double LINE = 1e-6;
-    const double mean_x = x_ / area_, mean_y = y_ / area_;
+    const double area = std::max(area_, 1.); // 0 where there is no depth
+    const double mean_x = x_ / area, mean_y = y_ / area;
     const double cxx = xx_ - x_ * mean_x, cxy = xy_ - x_ * mean_y, cyy = yy_ - y_ * mean_y;
     const double cxw = xw_ - w_ * mean_x, cyw = yw_ - w_ * mean_y, determinant = cxx * cyy - cxy * cxy;
-    if (!(determinant > LINE * cxx * cyy)) // NaN where there is no depth
+    if (determinant <= LINE * cxx * cyy)
         return Vec3f::all(std::numeric_limits<float>::quiet_NaN());
     const double slope_x = (cxw * cyy - cyw * cxy) / determinant, slope_y = (cyw * cxx - cxw * cxy) / determinant;
     // In focal lengths, the inverse depth of a plane with normal n is proportional to n (x, y, 1).
-    const Vec3d away(slope_x * focal.x, slope_y * focal.y, w_ / area_ - slope_x * mean_x - slope_y * mean_y);
+    const Vec3d away(slope_x * focal.x, slope_y * focal.y, w_ / area - slope_x * mean_x - slope_y * mean_y);
     return Vec3f(-away / norm(away));
 }
 
