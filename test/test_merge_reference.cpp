@@ -250,29 +250,28 @@ std::vector<MergeContext> spreadContexts(const RegionMeasures& regions)
         const Vec3d& mean = regions.means[i];
         values.push_back(Vec4d(mean[0], mean[1], mean[2], textureOf(regions.steps[i], regions.areas[i])));
     }
-    std::map<RegionPair, double> weights;
+    std::vector<std::map<int, double> > weights(values.size());
     for (const auto& e : regions.boundaries)
     {
         Vec4d d = values[e.first.first] - values[e.first.second];
         d[3] = 0;
         const double length = e.second.first;
-        weights[e.first] = length * length / ((e.second.second + length) * std::sqrt(d.dot(d) + 1.5));
+        const double weight = length * length / ((e.second.second + length) * std::sqrt(d.dot(d) + 1.5));
+        weights[e.first.first][e.first.second] = weights[e.first.second][e.first.first] = weight;
     }
-    for (int round = 0; round < 8; round++)
-    {
-        std::vector<Vec4d> sums(values.size(), Vec4d::all(0));
-        std::vector<double> shares(values.size(), 0.);
-        for (const auto& w : weights)
-        {
-            sums[w.first.first] += w.second * values[w.first.second];
-            sums[w.first.second] += w.second * values[w.first.first];
-            shares[w.first.first] += w.second;
-            shares[w.first.second] += w.second;
-        }
+    for (int round = 0; round < 4; round++)
         for (size_t i = 0; i < values.size(); i++)
-            if (shares[i] > 0)
-                values[i] = sums[i] * (1 / shares[i]);
-    }
+        {
+            Vec4d sum = Vec4d::all(0);
+            double share = 0;
+            for (const auto& w : weights[i])
+            {
+                sum += w.second * values[w.first];
+                share += w.second;
+            }
+            if (share > 0)
+                values[i] = sum * (1 / share);
+        }
     std::vector<MergeContext> contexts;
     for (size_t i = 0; i < values.size(); i++)
     {

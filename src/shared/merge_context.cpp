@@ -4,16 +4,24 @@
 
 #include "precomp.hpp"
 #include "shared/merge_context.hpp"
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
 namespace {
 
-//! An edge along which values spread.
-struct Link
+//! A neighbour of a region, to which values spread.
+struct Neighbor
 {
-    int a, b;
-    float likeness; //!< of what lies on its two sides
+    int region;
+    float likeness; //!< of what lies on the two sides of the edge
+};
+
+//! The neighbours of all regions, those of one after those of another.
+struct Neighbors
+{
+    std::vector<Neighbor> all;
+    std::vector<int> ends; // of those of each region
 };
 
 } // namespace
@@ -34,45 +42,45 @@ static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const Merge
     return length * length / (contrasts * std::sqrt(float(squared_distance) + NOISE));
 }
 
-static std::vector<Link> linksOf(const MergeGraph& graph, const std::vector<MergeRegion>& regions)
+static Neighbors listNeighbors(const MergeGraph& graph, const std::vector<MergeRegion>& regions)
 {
-    std::vector<Link> links;
+    Neighbors neighbors;
+    neighbors.ends.assign(regions.size() + 1, 0);
     graph.forEdges([&](const MergeEdge& edge)
     {
-        links.push_back({ edge.a, edge.b, likenessAt(edge, regions[edge.a], regions[edge.b]) });
+        neighbors.ends[edge.a + 1]++;
+        neighbors.ends[edge.b + 1]++;
     });
-    return links;
-}
-
-static inline void addTimes(float factor, const Vec4f& values, Vec4f& sum)
-{
-    v_store(sum.val, add(v_load(sum.val), multiply(v_load(values.val), v_setall_f32(factor))));
-}
-
-//! Each region takes the mean of its neighbours, by likeness, and again.
-static void spreadAlong(const std::vector<Link>& links, std::vector<Vec4f>& values)
-{
-    const int ROUNDS = 8;
-    std::vector<float> shares(values.size(), 0.f);
-    for (const Link& link : links)
+    std::partial_sum(neighbors.ends.begin(), neighbors.ends.end(), neighbors.ends.begin());
+    neighbors.all.resize(neighbors.ends.back());
+    graph.forEdges([&](const MergeEdge& edge)
     {
-        shares[link.a] += link.likeness;
-        shares[link.b] += link.likeness;
-    }
-    for (float& share : shares)
-        share = share > 0 ? 1 / share : 0;
-    std::vector<Vec4f> sums(values.size());
+        const float likeness = likenessAt(edge, regions[edge.a], regions[edge.b]);
+        neighbors.all[neighbors.ends[edge.a]++] = { edge.b, likeness };
+        neighbors.all[neighbors.ends[edge.b]++] = { edge.a, likeness };
+    });
+    return neighbors;
+}
+
+//! Each region takes the mean of its neighbours, by likeness, and again. What some have taken already spreads at once.
+static void spreadAlong(const Neighbors& neighbors, std::vector<Vec4f>& values)
+{
+    const int ROUNDS = 4;
     for (int round = 0; round < ROUNDS; round++)
     {
-        std::fill(sums.begin(), sums.end(), Vec4f::all(0));
-        for (const Link& link : links)
-        {
-            addTimes(link.likeness, values[link.b], sums[link.a]);
-            addTimes(link.likeness, values[link.a], sums[link.b]);
-        }
+        const Neighbor* neighbor = neighbors.all.data();
         for (size_t i = 0; i < values.size(); i++)
-            if (shares[i] > 0) // else it has no neighbour
-                v_store(values[i].val, multiply(v_load(sums[i].val), v_setall_f32(shares[i])));
+        {
+            v_float32x4 sum = v_setzero_f32();
+            float share = 0;
+            for (const Neighbor* end = neighbors.all.data() + neighbors.ends[i]; neighbor != end; neighbor++)
+            {
+                sum = add(sum, multiply(v_load(values[neighbor->region].val), v_setall_f32(neighbor->likeness)));
+                share += neighbor->likeness;
+            }
+            if (share > 0) // else it has no neighbour
+                v_store(values[i].val, multiply(sum, v_setall_f32(1 / share)));
+        }
     }
 }
 
@@ -85,7 +93,7 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeG
     means_.resize(n);
     for (int i = 0; i < n; i++)
         sums_[i] = Vec4f(regions[i].mean[0], regions[i].mean[1], regions[i].mean[2], regions[i].texture);
-    spreadAlong(linksOf(graph, regions), sums_);
+    spreadAlong(listNeighbors(graph, regions), sums_);
     for (int i = 0; i < n; i++)
     {
         sums_[i] *= regions[i].area;
