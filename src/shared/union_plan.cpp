@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "shared/union_plan.hpp"
 #include "shared/grid_markers.hpp"
+#include <numeric>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -51,11 +52,6 @@ struct RegionPlace
 {
     int tile, region;
     Point cell;
-
-    bool operator<(const RegionPlace& other) const
-    {
-        return tile != other.tile ? tile < other.tile : region < other.region;
-    }
 };
 
 //! Regions of a list that are to be divided.
@@ -66,6 +62,22 @@ struct Group
 };
 
 } // namespace
+
+//! Tiles one after the other; the order of the places of each one stays.
+static std::vector<RegionPlace> orderByTiles(const std::vector<RegionPlace>& places)
+{
+    std::vector<int> ends; // of the places of each tile
+    for (const RegionPlace& place : places)
+    {
+        ends.resize(std::max(ends.size(), size_t(place.tile) + 2));
+        ends[place.tile + 1]++;
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<RegionPlace> ordered(places.size());
+    for (const RegionPlace& place : places)
+        ordered[ends[place.tile]++] = place;
+    return ordered;
+}
 
 //! The places of regions in a grid with one cell for each, in the order of their tiles. Centres are those of a sample
 //! of 16 pixels in a cell, so very small regions may have none.
@@ -97,8 +109,7 @@ static std::vector<RegionPlace> findPlaces(const Mat& labels, int num_labels)
             const Point cell(int(sums[i][0] / sums[i][2]), int(sums[i][1] / sums[i][2]));
             places.push_back({ tiling.tileOf(cell), i, cell });
         }
-    std::sort(places.begin(), places.end());
-    return places;
+    return orderByTiles(places);
 }
 
 //! Divides the regions of a group into halves, by the longer side of the cells that they lie in.
