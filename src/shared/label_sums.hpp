@@ -15,9 +15,9 @@ template <typename Sum> class SumsOfRows
 {
 public:
     //! Of each label, `slots` names the sum that it has if it has one; else it may be anything.
-    //! Calls addRun(sum, y, xs) for each run of pixels of one label.
-    template <typename AddRun>
-    void add(const Mat& labels, const Range& rows, unsigned* slots, const AddRun& addRun)
+    //! Calls runsOf(y)(sum, xs) for each run of pixels of one label.
+    template <typename RunsOf>
+    void add(const Mat& labels, const Range& rows, unsigned* slots, const RunsOf& runsOf)
     {
         std::vector<int> positions(labels.cols + 4);
         int* const ends = positions.data();
@@ -26,11 +26,12 @@ public:
             const int* row = labels.ptr<int>(y);
             const int count = listDifferences(row, row + 1, labels.cols - 1, ends);
             ends[count] = labels.cols - 1;
+            const auto addRun = runsOf(y);
             for (int i = 0, x = 0; i <= count; i++)
             {
                 const int label = row[x], end = ends[i] + 1;
                 if (label >= 0)
-                    addRun(sumOf(label, slots[label]), y, Range(x, end));
+                    addRun(sumOf(label, slots[label]), Range(x, end));
                 x = end;
             }
         }
@@ -62,11 +63,11 @@ private:
     std::vector<Part> parts_;
 };
 
-//! Sums over the pixels of each label of a CV_32SC1 map. Labels below 0 do not count. Calls addRun(sum, y, xs) for each
-//! run of pixels of one label in a row, at the same time for different rows.
+//! Sums over the pixels of each label of a CV_32SC1 map. Labels below 0 do not count. Calls runsOf(y) for each row,
+//! and what it gives, addRun(sum, xs), for each run of pixels of one label there, at the same time for different rows.
 //! @note Sums must be of integers, so that their order does not matter.
-template <typename Sum, typename AddRun>
-void sumByLabel(const Mat& labels, const AddRun& addRun, std::vector<Sum>& sums)
+template <typename Sum, typename RunsOf>
+void sumByLabel(const Mat& labels, const RunsOf& runsOf, std::vector<Sum>& sums)
 {
     const RowChunks chunks = fewChunks(labels.rows);
     std::vector<SumsOfRows<Sum> > parts(chunks.size());
@@ -74,7 +75,7 @@ void sumByLabel(const Mat& labels, const AddRun& addRun, std::vector<Sum>& sums)
     {
         std::vector<unsigned> slots(sums.size());
         for (int k = range.start; k < range.end; k++)
-            parts[k].add(labels, chunks[k], slots.data(), addRun);
+            parts[k].add(labels, chunks[k], slots.data(), runsOf);
     });
     std::fill(sums.begin(), sums.end(), Sum());
     for (const SumsOfRows<Sum>& part : parts)

@@ -205,27 +205,48 @@ int countDepths(const Feature* features, int count)
     return with_depth;
 }
 
+//! Adds up the runs of a row, with their textures or without.
+class RowAdder
+{
+public:
+    RowAdder(const FeatureMap& features, const Mat& labels, int y, bool with_texture, const v_int16x8& weights)
+        : cols_(labels.cols), with_texture_(with_texture), weights_(weights), labels_(labels.ptr<int>(y))
+    {
+        const int below = y + 1 < labels.rows ? y + 1 : y; // no steps down from the last row
+        pixels_ = { features.row(y), features.row(below), labels.ptr<int>(below) };
+    }
+
+    void operator()(ColorSum& sum, const Range& xs) const
+    {
+        PixelRows pixels = pixels_;
+        pixels.skip(xs.start);
+        const uint64 depth = sum.channels[3];
+        const int room = cols_ - xs.start;
+        if (with_texture_)
+            addRun<true>(pixels, labels_[xs.start], xs.size(), room, weights_, sum);
+        else
+            addRun<false>(pixels, 0, xs.size(), room, weights_, sum);
+        sum.area += xs.size();
+        if (sum.channels[3] != depth)
+            sum.depth_area += countDepths(pixels.features, xs.size());
+    }
+
+private:
+    const int cols_;
+    const bool with_texture_;
+    const v_int16x8 weights_; // of steps
+    const int* const labels_;
+    PixelRows pixels_;
+};
+
 //! Colours and depths of regions, and their textures if they are asked for: of every second row, which is enough. Even
 //! and odd ones take turns, so that rows that alternate are no slope.
 void sumColors(const FeatureMap& features, const Mat& labels, bool with_textures, const v_int16x8& weights,
                std::vector<ColorSum>& sums)
 {
-    sumByLabel(labels, [&](ColorSum& sum, int y, const Range& xs)
+    sumByLabel(labels, [&](int y)
     {
-        const Feature* own = features.row(y) + xs.start;
-        const int* own_labels = labels.ptr<int>(y) + xs.start;
-        const bool last = y + 1 == labels.rows; // no steps down from there
-        const PixelRows pixels = { own, own + (last ? 0 : features.step()),
-                                   own_labels + (last ? 0 : labels.step1()) };
-        const int label = *own_labels, room = labels.cols - xs.start;
-        const uint64 depth = sum.channels[3];
-        if (with_textures && ((y ^ (y >> 2)) & 1) == 0)
-            addRun<true>(pixels, label, xs.size(), room, weights, sum);
-        else
-            addRun<false>(pixels, label, xs.size(), room, weights, sum);
-        sum.area += xs.size();
-        if (sum.channels[3] != depth)
-            sum.depth_area += countDepths(own, xs.size());
+        return RowAdder(features, labels, y, with_textures && ((y ^ (y >> 2)) & 1) == 0, weights);
     }, sums);
 }
 
@@ -294,8 +315,10 @@ void measureSurfaces(const FeatureMap& features, const Mat& labels, Regions& reg
 {
     CV_TRACE_FUNCTION();
     regions.surfaces.start(features.camera, regions.size());
-    sumByLabel(labels, [&](SurfaceSum& sum, int y, const Range& xs) { addRun(features, y, xs, sum); },
-               regions.surfaces.sums);
+    sumByLabel(labels, [&](int y)
+    {
+        return [&features, y](SurfaceSum& sum, const Range& xs) { addRun(features, y, xs, sum); };
+    }, regions.surfaces.sums);
     regions.update(few_depths_count);
 }
 
