@@ -88,11 +88,13 @@ public:
         gws::addTo(channels + 2, second);
     }
 
-    //! How much the sums of others are larger, as rises down.
+    void add(const ChannelSums& others) { sums_ = v_add_wrap(sums_, others.sums_); }
+
+    //! How much the sums are larger than those of others, as rises down.
     void addRisesTo(const ChannelSums& others, int64 (*rises)[2]) const
     {
         v_int32x4 even, odd;
-        v_expand(v_reinterpret_as_s16(v_sub_wrap(others.sums_, sums_)), even, odd);
+        v_expand(v_reinterpret_as_s16(v_sub_wrap(sums_, others.sums_)), even, odd);
         int of_channels[4];
         v_store(of_channels, gws::add(even, odd));
         for (int k = 0; k < 3; k++)
@@ -135,20 +137,20 @@ inline void addSteps(const PixelRows& pixels, int label, int count, int count_ac
 {
     const int *mask = firstWords(count), *mask_across = firstWords(count_across);
     const v_int32x4 own = v_setall_s32(label);
-    ChannelSums across, down, own_sums, sums_below;
+    ChannelSums across, rises, falls;
     for (int k = 0; k < AT_ONCE; k += 4)
     {
         const v_uint8x16 four = loadFour(pixels.features + k);
         const v_uint8x16 same = v_reinterpret_as_u8(equal(v_load(pixels.labels_below + k), own));
         across.add(bitAnd(v_absdiff(four, loadFour(pixels.features + k + 1)), loadMask(mask_across + k)));
         const v_uint8x16 counted = bitAnd(same, loadMask(mask + k)), below = loadFour(pixels.below + k);
-        down.add(bitAnd(v_absdiff(four, below), counted));
-        own_sums.add(bitAnd(four, counted));
-        sums_below.add(bitAnd(below, counted));
+        rises.add(bitAnd(subtract(below, four), counted)); // saturated: where it falls, nothing
+        falls.add(bitAnd(subtract(four, below), counted));
     }
+    rises.addRisesTo(falls, to.rises);
+    rises.add(falls);
     to.across += across.weighted(weights);
-    to.down += down.weighted(weights);
-    own_sums.addRisesTo(sums_below, to.rises);
+    to.down += rises.weighted(weights);
 }
 
 //! A few pixels at the end of a row, with room behind them.
