@@ -150,14 +150,15 @@ void MergeGraph::build(const Mat& labels, int num_regions, const Padded<Feature>
             found_[span.list].push_back(span);
 }
 
-//! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too.
+//! Bands are large, because edges between them cost more, but if regions are few there must be some bands, too; if
+//! they have few edges, which are fewer than three for each region, one band.
 void MergeGraph::setRegions(int num_regions)
 {
     const int SMALLEST = 9, LARGEST = 13; // bits of numbers of regions
     const int FEW = 8;                    // bands
     num_regions_ = num_regions;
     band_shift_ = SMALLEST;
-    while (band_shift_ < LARGEST && (num_regions >> band_shift_) >= FEW)
+    while (band_shift_ < LARGEST && ((num_regions >> band_shift_) >= FEW || num_regions < FEW_EDGES / 3))
         band_shift_++;
     const int num_bands = (num_regions + (1 << band_shift_) - 1) >> band_shift_;
     known_.resize(num_bands + 1);

@@ -110,6 +110,8 @@ public:
     }
 
 private:
+    enum { FEW_EDGES = 6000 }; // of less, most of the time is that until threads have what others wrote
+
     int listOf(int a, int b) const { return (a ^ b) >> band_shift_ ? numBands() : a >> band_shift_; }
     void setRegions(int num_regions);
     void divide(const EdgeList& edges, std::vector<EdgeSpan>& spans) const;
@@ -130,7 +132,6 @@ private:
 
 template <typename Body> void MergeGraph::forAll(int count, const Body& body)
 {
-    const size_t FEW = 6000; // edges: of less, most of the time is that until threads have what others wrote
     size_t num_edges = 0;
     for (int k = 0; k <= numBands(); k++)
         num_edges += known_[k].count + countUnjoined(k);
@@ -140,7 +141,7 @@ template <typename Body> void MergeGraph::forAll(int count, const Body& body)
         for (int k = range.start; k < range.end; k++)
             body(k, tables_[range.start]);
     };
-    if (num_edges < FEW)
+    if (num_edges < FEW_EDGES)
         work(Range(0, count));
     else
         parallel_for_(Range(0, count), work);
