@@ -75,22 +75,28 @@ static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_ui
     return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_OF_DEPTH);
 }
 
+//! The sums of the channels over two blocks of 2x2 elements.
+static inline v_uint16x8 sumOfTwo(const Feature* upper, const Feature* lower)
+{
+    const Halves above(v_load(upper->color)), below(v_load(lower->color));
+    const v_uint16x8 first = v_add_wrap(above.low, below.low), second = v_add_wrap(above.high, below.high);
+    return v_add_wrap(v_combine_low(first, second), v_combine_high(first, second));
+}
+
 //! Means of blocks of 2x2 elements, 4 blocks at a time. Returns whether a step of depth goes through one of them.
 static inline bool halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
 {
-    v_uint32x4 first, second, third, fourth;
-    v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), first, second);
-    v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), third, fourth);
-    const v_uint8x16 a = v_reinterpret_as_u8(first), b = v_reinterpret_as_u8(second);
-    const v_uint8x16 c = v_reinterpret_as_u8(third), d = v_reinterpret_as_u8(fourth);
-    const Halves ha(a), hb(b), hc(c), hd(d);
-    const v_uint16x8 low = v_add_wrap(v_add_wrap(ha.low, hb.low), v_add_wrap(hc.low, hd.low));
-    const v_uint16x8 high = v_add_wrap(v_add_wrap(ha.high, hb.high), v_add_wrap(hc.high, hd.high));
+    const v_uint16x8 low = sumOfTwo(upper, lower), high = sumOfTwo(upper + 4, lower + 4);
     if (!with_depth)
     {
         v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
         return false;
     }
+    v_uint32x4 first, second, third, fourth;
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(upper), first, second);
+    v_load_deinterleave(reinterpret_cast<const unsigned*>(lower), third, fourth);
+    const v_uint8x16 a = v_reinterpret_as_u8(first), b = v_reinterpret_as_u8(second);
+    const v_uint8x16 c = v_reinterpret_as_u8(third), d = v_reinterpret_as_u8(fourth);
     const Halves factors(twelfths(a, b, c, d));
     v_store(to->color, v_pack_u(divideByTwelve(low, factors.low), divideByTwelve(high, factors.high)));
     return haveStep(a, b, c, d);
