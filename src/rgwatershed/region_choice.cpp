@@ -12,7 +12,7 @@ RegionChoice::RegionChoice(const FeatureMap& features, const Padded<int>& labels
                            const Regions& regions, const RegionDistance& distance, int length_price)
     : table_(maskTable()), features_(features.data()), labels_(labels.data()), masks_(masks.data()),
       means_(regions.means.data()), surfaces_(regions.surfaces.means.data()), map_(features),
-      distance_(distance), step_(labels.step())
+      distance_(distance), step_(labels.step()), length_price_(length_price)
 {
     const int offsets[8] = { -step_ - 1, -step_, -step_ + 1, 1, step_ + 1, step_, step_ - 1, -1 };
     for (int mask = 0; mask < 256; mask++)
@@ -91,22 +91,61 @@ template <RegionChoice::Content CONTENT> int RegionChoice::listDistant(int n, in
     }, b.distant);
 }
 
-//! Of these, those that the region of the first neighbour may win, or those beside several regions, or tips.
+//! Of these, those that the region of the first or of the last neighbour may win, or tips. Where these regions differ
+//! there is no third one, but beside tips, and each of them has one of two 4-neighbours only.
 template <RegionChoice::Content CONTENT> int RegionChoice::listContested(int n, int y, Batch& b) const
 {
+    const v_int32x4 less = v_setall_s32(2 * length_price_);
     std::fill_n(b.distant + n, int(AT_ONCE), 0);
     measure<CONTENT>(n, y, [&](int i) { return b.pixels[b.distant[i]]; }, [&](int i)
     {
         const int pixel = b.pixels[b.distant[i]], others = ~masks_[pixel] & MaskTable::FOUR_NEIGHBORS;
         const int* const label = labels_ + pixel;
         const int first = label[first_others_[others]];
-        b.slack[b.distant[i]] |= (first != label[last_others_[others]]) * ALWAYS;
+        b.unseen[i] = others;
+        b.differ[i] = -int(first != label[last_others_[others]]);
         return std::max(first, 0);
     }, b.squares);
-    return listWhere(n, [&](int i)
+    const int num_contested = listWhere(n, [&](int i)
     {
-        return subtract(v_load(b.squares + i), gatherFour(i, [&](int k) { return b.slack[b.distant[k]]; }));
+        const v_int32x4 slack = gatherFour(i, [&](int k) { return b.slack[b.distant[k]]; });
+        const v_int32x4 excess = add(subtract(v_load(b.squares + i), slack), bitAnd(v_load(b.differ + i), less));
+        v_store(b.excess + i, excess);
+        return excess;
     }, b.contested);
+    const int num_doubtful = listWhere(n, [&](int i)
+    {
+        return bitAnd(v_load(b.differ + i), subtract(v_setall_s32(-1), v_load(b.excess + i)));
+    }, b.doubtful);
+    return addContested<CONTENT>(num_doubtful, y, num_contested, b);
+}
+
+//! Adds to those that are contested the doubtful ones that the region of the last neighbour may win, and nothing else.
+//! Returns how many there are then.
+template <RegionChoice::Content CONTENT>
+int RegionChoice::addContested(int n, int y, int num_contested, Batch& b) const
+{
+    const v_int32x4 less = v_setall_s32(2 * length_price_);
+    int squares[Batch::SIZE], found[Batch::SIZE];
+    std::fill_n(b.doubtful + n, int(AT_ONCE), 0);
+    measure<CONTENT>(n, y, [&](int i) { return b.pixels[b.distant[b.doubtful[i]]]; }, [&](int i)
+    {
+        const int number = b.doubtful[i];
+        return std::max(labels_[b.pixels[b.distant[number]] + last_others_[b.unseen[number]]], 0);
+    }, squares);
+    const int num_found = listWhere(n, [&](int i)
+    {
+        const v_int32x4 slack = gatherFour(i, [&](int k) { return b.slack[b.distant[b.doubtful[k]]]; });
+        return add(subtract(v_load(squares + i), slack), less);
+    }, found);
+    for (int i = 0; i < num_found; i++)
+    {
+        const int number = b.doubtful[found[i]];
+        b.squares[number] = squares[found[i]];
+        b.unseen[number] &= b.unseen[number] - 1; // without the first
+        b.contested[num_contested + i] = number;
+    }
+    return num_contested + num_found;
 }
 
 //! Four of the pixels that are left, in their own regions.
@@ -118,8 +157,7 @@ inline RegionChoice::FourChoices RegionChoice::begin(int i, const Batch& b) cons
     // The own square less what is saved: slack is more by what the others could save.
     const v_int32x4 slack = gatherFour(i, [&](int k) { return b.slack[b.distant[b.contested[k]]]; });
     const v_int32x4 saved = gatherFour(0, [&](int k) { return savings_[others[k]]; });
-    const v_int32x4 unseen = bitAnd(gatherFour(0, [&](int k) { return others[k]; }),
-                                    v_setall_s32(MaskTable::FOUR_NEIGHBORS));
+    const v_int32x4 unseen = gatherFour(i, [&](int k) { return b.unseen[b.contested[k]]; });
     const FourChoices four = { gatherFour(i, [&](int k) { return b.pixels[b.distant[b.contested[k]]]; }),
                                v_setzero_s32(), v_shl<UNSEEN_LOG2>(unseen),
                                subtract(bitAnd(slack, v_setall_s32(ALWAYS - 1)), saved) };

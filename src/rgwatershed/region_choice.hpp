@@ -49,6 +49,10 @@ private:
         int squares[SIZE];   // of the distances that were measured last
         int slack[SIZE];     // squared distances below which a region wins that has all neighbours but those of the own
         int distant[SIZE];   // which of the pixels another region may win
+        int unseen[SIZE];    // of these, by the same numbers: the 4-neighbours that are to be looked at
+        int differ[SIZE];    // -1 if the first and the last of them are in different regions, or 0
+        int excess[SIZE];    // of the squared distance to the first region over the slack
+        int doubtful[SIZE];  // which of the distant ones the first region cannot win, but the last one may
         int contested[SIZE]; // and which of these have one that is near enough
     };
 
@@ -72,6 +76,7 @@ private:
     template <Content CONTENT> int findGains(const int* pixels, int n, int y, Gain* gains) const;
     template <Content CONTENT> int listDistant(int n, int y, Batch& b) const;
     template <Content CONTENT> int listContested(int n, int y, Batch& b) const;
+    template <Content CONTENT> int addContested(int n, int y, int num_contested, Batch& b) const;
     template <Content CONTENT, typename PixelOf, typename RegionOf>
     void measure(int n, int y, const PixelOf& pixelOf, const RegionOf& regionOf, int* squares) const;
 
@@ -86,7 +91,7 @@ private:
     const SurfaceMean* const surfaces_; // if there are any
     const FeatureMap& map_; // of the features
     const RegionDistance distance_;
-    const int step_;
+    const int step_, length_price_;
     // By mask of the neighbours that agree:
     int savings_[256];                           // of energy
     int bounds_[256];                            // square of its own distance above which another region may win
