@@ -92,6 +92,33 @@ TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
                 }
 }
 
+// Any number from all to a tenth is as good. Unions that are parts of larger ones later must wait for their number.
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern_at_any_number)
+{
+    int number = 0; // one in nine of the patterns
+    for (int region_size : REGION_SIZES)
+        for (int kind = 0; kind < PATTERN_KINDS; kind++)
+            for (int side = 1; side <= 2 * region_size; side += side < 6 ? 1 : side < 20 ? 3 : 7)
+                for (int way = 0; way < 4; way++)
+                {
+                    if (number++ % 9 != 0)
+                        continue;
+                    Mat image = makePattern(PatternKind(kind), side, number % 2 != 0);
+                    spoil(image, way);
+                    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
+                    gws->setEffort(number % 4);
+                    gws->iterate(image);
+                    const int all = gws->getNumberOfSuperpixels();
+                    for (int n = all * 7 / 8; n >= all / 10; n = n * 7 / 8)
+                    {
+                        gws->mergeSimilar(n);
+                        EXPECT_LE(extremeAreas(labelsOf(gws))[1], 4)
+                            << kind << ", side " << side << ", " << region_size << ", " << way << ", "
+                            << n << " of " << all;
+                    }
+                }
+}
+
 // Random rows beside random columns of grey levels: the means of both are the same, and all contrasts, too.
 TEST(ximgproc_SuperpixelGWatershed, textures_of_different_directions_stay_apart)
 {

@@ -10,6 +10,45 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
+static std::vector<int> areasOf(const Regions& regions)
+{
+    std::vector<int> areas;
+    for (const RegionSum& sum : regions.sums)
+        areas.push_back(sum.area);
+    return areas;
+}
+
+//! An order in which no union is larger than some mean areas of the superpixels that are left, as long as there are
+//! others: what is united first is part of larger ones later, so it may be larger than anything is to be when it is
+//! united. Such unions wait until the mean is large enough. Each is larger than its parts, so these come first.
+static std::vector<Vec2i> putOffLarge(const std::vector<Vec2i>& unions, std::vector<int> areas)
+{
+    const int MOST = 4; // mean areas
+    typedef std::pair<int, Vec2i> Union; // with its area
+    const auto isLarger = [](const Union& a, const Union& b) { return a.first > b.first; };
+    std::vector<Union> waiting; // a heap
+    std::vector<Vec2i> ordered;
+    const int64 most = MOST * std::accumulate(areas.begin(), areas.end(), int64(0));
+    const auto isTooLarge = [&](int area) { return area * int64(areas.size() - ordered.size()) > most; };
+    const auto takeWaiting = [&](bool all)
+    {
+        for (; !waiting.empty() && (all || !isTooLarge(waiting[0].first)); waiting.pop_back())
+        {
+            ordered.push_back(waiting[0].second);
+            std::pop_heap(waiting.begin(), waiting.end(), isLarger);
+        }
+    };
+    for (const Vec2i& pair : unions)
+    {
+        takeWaiting(false);
+        const int area = areas[pair[1]] += areas[pair[0]];
+        waiting.push_back(Union(area, pair));
+        std::push_heap(waiting.begin(), waiting.end(), isLarger);
+    }
+    takeWaiting(true);
+    return ordered;
+}
+
 //! @note Not in the paper. Merging of the region adjacency graph, the cheapest pairs first. Two factors of the cost are
 //! Ward's criterion, which J.-M. Beaulieu, M. Goldberg, Hierarchy in picture segmentation: a stepwise optimization
 //! approach (1989), merge by; shared/union_cost.hpp has all of them.
@@ -22,7 +61,8 @@ void MergeHierarchy::build(const FeatureMap& features, const RegionDistance& dis
     measureRegions(features, labels, distance, regions, buffers.textures);
     const MergeRules rules = distance.with_depth ? mergeByTextures() : mergeByContext();
     SimilarMerger merger(labels, features, distance, rules, buffers, regions, planUnions(labels, num_labels));
-    unions_ = merger.runToTheEnd();
+    const std::vector<int> areas = areasOf(regions); // merging changes them
+    unions_ = putOffLarge(merger.runToTheEnd(), areas);
 
     labels_ = labels;
     num_labels_ = num_labels;
