@@ -25,6 +25,13 @@ double straightLog(double x)
     return exponent - 2 + 2 * fraction;
 }
 
+//! That of which this is the logarithm.
+double powerOfTwo(double logarithm)
+{
+    const double floor = std::floor(logarithm);
+    return std::ldexp(1 + logarithm - floor, int(floor));
+}
+
 //! The logarithm of the steps from pixel to pixel, of a region whose sums across and down these are.
 double textureOf(const Vec2d& steps, double area)
 {
@@ -254,9 +261,11 @@ std::vector<MergeContext> spreadContexts(const RegionMeasures& regions)
     for (const auto& e : regions.boundaries)
     {
         Vec4d d = values[e.first.first] - values[e.first.second];
+        const double textures[] = { values[e.first.first][3], values[e.first.second][3] };
         d[3] = 0;
         const double length = e.second.first;
-        const double weight = length * length / ((e.second.second + length) * std::sqrt(d.dot(d) + 1.5));
+        const double steps = powerOfTwo(std::min(textures[0], textures[1]));
+        const double weight = length * length * steps / ((e.second.second + length) * std::sqrt(d.dot(d) + 1.5));
         weights[e.first.first][e.first.second] = weights[e.first.second][e.first.first] = weight;
     }
     for (int round = 0; round < 4; round++)
@@ -272,33 +281,11 @@ std::vector<MergeContext> spreadContexts(const RegionMeasures& regions)
             if (share > 0)
                 values[i] = sum * (1 / share);
         }
-    std::vector<MergeContext> contexts;
-    for (size_t i = 0; i < values.size(); i++)
-    {
-        const Vec4d& v = values[i];
-        contexts.push_back(MergeContext(v[0], v[1], v[2], v[3], regions.means[i].dot(regions.means[i])));
-    }
-    return contexts;
-}
-
-//! The exponent that limits areas. Even regions side by side may make unions that are larger than usual.
-static CostSpan limitOfAreas(double na, double nb, double length, double larger_variation, double usual_area,
-                             double log_larger)
-{
-    CostSpan span = { INFINITE, -INFINITE };
-    for (const double& limit : { 0.98, 1., 1.02 })
-    {
-        const double relative_length = straightLog(length) - straightLog(std::min(na, nb)) / 2;
-        const bool may_be_larger = larger_variation <= 64 * limit && relative_length >= 0.5 * (1 - limit);
-        const double excess = straightLog(na + nb) - straightLog(usual_area) - (may_be_larger ? log_larger : 0);
-        span.first = std::min(span.first, 32 * std::max(0., excess));
-        span.last = std::max(span.last, 32 * std::max(0., excess));
-    }
-    return span;
+    return values;
 }
 
 std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
-                                          const std::vector<int>& parts, int num_first)
+                                          const std::vector<int>& parts)
 {
     const int n = int(regions.areas.size());
     const double num_pixels = std::accumulate(regions.areas.begin(), regions.areas.end(), 0.);
@@ -306,8 +293,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
     int few = 1; // n, with zeros for all but the three highest bits, is few * (n / few)
     while (n / few >= 8)
         few *= 2;
-    const double usual_area = std::max(1., 2.9 * num_pixels / (n / few * few));
-    const double log_larger = n / few * few < num_first / 5 ? 51. / 256 : 0.5;
+    const double usual_area = std::max(1., 3.8 * num_pixels / (n / few * few));
     std::map<RegionPair, CostSpan> costs;
     for (const auto& e : regions.boundaries)
     {
@@ -316,9 +302,6 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
         const Vec3d d = means[a] - means[b];
         const MergeContext c = contexts[a] - contexts[b];
         const double spread_squared = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-        const double variation = std::max(contexts[a][4] - means[a].dot(means[a]),
-                                          contexts[b][4] - means[b].dot(means[b]));
-        const CostSpan limit_of_areas = limitOfAreas(na, nb, l, variation, usual_area, log_larger);
         const Vec2d ta = regions.steps[a], tb = regions.steps[b];
         const double light = 16. / 7 * (na * means[a][0] + nb * means[b][0]); // as it is
         const bool of_a_part = parts[a] == parts[b];
@@ -329,20 +312,21 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
                                                        slopeOf(regions.rises[b], tb, nb, limit),
                                                        std::min(na, nb), d.dot(d), limit);
             const double rest = of_a_part ? 0.1875 : 7 * explained + 1.5;
-            const double cost = 0.4375 * straightLog(d.dot(d) + rest) + 0.171875 * straightLog(spread_squared + rest);
+            const double cost = 0.46875 * straightLog(d.dot(d) + rest) + 0.171875 * straightLog(spread_squared + rest);
             slopes.first = std::min(slopes.first, cost);
             slopes.last = std::max(slopes.last, cost);
         }
         const double rest = straightLog(na) + straightLog(nb) - straightLog(na + nb) +
+                            32 * std::max(0., straightLog(na + nb) - straightLog(usual_area)) +
                             0.95 * (straightLog(e.second.second + l) - straightLog(l)) -
-                            0.625 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
+                            0.640625 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                             0.3125 * straightLog(16 * std::abs(d[0]) + 7) -
                             0.47 * (straightLog(light + 16 * (na + nb)) - straightLog(na + nb)) +
                             0.1875 * straightLog(std::abs(d[1]) + std::abs(d[2]) + 1) -
                             1.17 * std::min(textureOf(ta, na), textureOf(tb, nb)) +
-                            0.375 * straightLog(std::abs(c[3]) + 0.1) +
+                            0.53125 * straightLog(std::abs(c[3]) + 0.1) +
                             0.625 * std::abs(directionOf(ta, na) - directionOf(tb, nb));
-        costs[e.first] = { slopes.first + limit_of_areas.first + rest, slopes.last + limit_of_areas.last + rest };
+        costs[e.first] = { slopes.first + rest, slopes.last + rest };
     }
     return costs;
 }

@@ -35,11 +35,10 @@ struct Mixture
 //! Limits are times a factor, and the looser the larger it is.
 std::vector<Mixture> findMixtures(const RegionMeasures& regions, double looseness);
 
-//! Colour and logarithm of texture that have spread, and the squared length of the own colour. Those of unions are the
-//! means over their pixels.
-typedef Vec<double, 5> MergeContext;
+//! Colour and logarithm of texture that have spread. Those of unions are the means over their pixels.
+typedef Vec4d MergeContext;
 
-//! They spread eight times, each time to the neighbours, by likeness.
+//! They spread four times, each time from the neighbours, by likeness, what has changed already, too.
 std::vector<MergeContext> spreadContexts(const RegionMeasures& regions);
 
 //! The plan: tiles of about ten cells of a grid with a cell for each region are divided into halves, and these again.
@@ -54,16 +53,16 @@ private:
     void divide(const std::vector<std::pair<Point, int> >& regions, int whole);
 };
 
-//! From the lowest to the highest: they differ where rounding decides whether a slope, or a limit of areas, counts.
+//! From the lowest to the highest: they differ where rounding decides whether a slope counts.
 struct CostSpan
 {
     double first, last;
 };
 
 //! Logarithms of the cost for all neighbours, from the formula. Regions of a part have less noise between them, and no
-//! slope. There were num_first regions when these began to merge.
+//! slope.
 std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const std::vector<MergeContext>& contexts,
-                                          const std::vector<int>& parts, int num_first);
+                                          const std::vector<int>& parts);
 
 } // namespace
 

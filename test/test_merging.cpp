@@ -197,7 +197,7 @@ TEST_P(ximgproc_GWatershed_merging, merging_unites_mutual_best_neighbors)
                     part_of_label.push_back(parts.find(key)->second);
                 history.push_back(keyedCosts(keys, mergeCosts(RegionMeasures(image, first, before, n),
                                                               meanContexts(contexts, unmixed, before, n),
-                                                              part_of_label, numberOfLabels(unmixed))));
+                                                              part_of_label)));
                 bool found = false;
                 for (int k = int(history.size()) - 1; k >= 0 && history[k].count(pair) && !found; k--)
                     found = areBestNeighbors(history[k], pair);

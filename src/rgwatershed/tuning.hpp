@@ -164,7 +164,7 @@ inline MergeRules pixelMergeRules(float ruler, bool with_depth)
         rules.spread = 8;
         rules.spread_texture = 12;
         rules.distance = 32;
-        rules.usual = 2.9f;
+        rules.usual = 3;
     }
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;

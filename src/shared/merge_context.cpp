@@ -26,12 +26,7 @@ struct Neighbors
 
 } // namespace
 
-static inline int squareOf(const short* color)
-{
-    return color[0] * color[0] + color[1] * color[1] + color[2] * color[2];
-}
-
-//! Less across contrasts and differences, more along long boundaries.
+//! Less across contrasts and differences, more along long boundaries, and where both sides are rough.
 static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const MergeRegion& b)
 {
     const float NOISE = 1.5f * STEPS_PER_LEVEL * STEPS_PER_LEVEL; // a squared distance that means little
@@ -39,7 +34,8 @@ static float likenessAt(const MergeEdge& edge, const MergeRegion& a, const Merge
     for (int k = 0; k < 3; k++)
         squared_distance += (a.mean[k] - b.mean[k]) * (a.mean[k] - b.mean[k]);
     const float length = float(edge.length), contrasts = float(edge.contrast) + STEPS_PER_LEVEL * length;
-    return length * length / (contrasts * std::sqrt(float(squared_distance) + NOISE));
+    const float steps = powerOfTwo(std::min(a.texture, b.texture)); // contrasts mean less among as many others
+    return length * length * steps / (contrasts * std::sqrt(float(squared_distance) + NOISE));
 }
 
 static Neighbors listNeighbors(const MergeGraph& graph, const std::vector<MergeRegion>& regions)
@@ -89,7 +85,6 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeG
     CV_TRACE_FUNCTION();
     const int n = int(regions.size());
     sums_.resize(n);
-    squares_.resize(n);
     means_.resize(n);
     for (int i = 0; i < n; i++)
         sums_[i] = Vec4f(regions[i].mean[0], regions[i].mean[1], regions[i].mean[2], regions[i].texture);
@@ -97,7 +92,6 @@ void MergeContexts::spread(const std::vector<MergeRegion>& regions, const MergeG
     for (int i = 0; i < n; i++)
     {
         sums_[i] *= regions[i].area;
-        squares_[i] = double(regions[i].area) * squareOf(regions[i].mean);
         update(i, regions[i]);
     }
 }
@@ -109,7 +103,6 @@ void MergeContexts::update(int number, const MergeRegion& region)
     for (int k = 0; k < 3; k++)
         mean.color[k] = short(cvRound(of_pixels[k]));
     mean.texture = short(cvRound(of_pixels[3]));
-    mean.variation = cvRound(squares_[number] / region.area - squareOf(region.mean));
 }
 
 void MergeContexts::update(const std::vector<int>& numbers, const std::vector<MergeRegion>& regions)
@@ -121,7 +114,6 @@ void MergeContexts::update(const std::vector<int>& numbers, const std::vector<Me
 void MergeContexts::unite(int from, int to)
 {
     sums_[to] += sums_[from];
-    squares_[to] += squares_[from];
 }
 
 }}} // namespace

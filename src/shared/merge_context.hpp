@@ -15,7 +15,6 @@ struct MergeContext
 {
     short color[3]; //!< that has spread to it from all around, as MergeRegion has it
     short texture;  //!< the same
-    int variation;  //!< mean squared difference of what it was united of from its mean colour, in that unit squared
 };
 
 //! Colours and textures that have spread from each region to its neighbours, the more the more these are like it, and
@@ -39,7 +38,6 @@ private:
     void update(int number, const MergeRegion& region);
 
     std::vector<Vec4f> sums_;     // over the areas
-    std::vector<double> squares_; // of the lengths of own colours, over the areas
     std::vector<MergeContext> means_;
 };
 

@@ -44,6 +44,14 @@ inline int logarithm(float value)
     return (bits.i >> LOG_SHIFT) - LOG_BIAS;
 }
 
+//! The value >= 1 of which this is the logarithm.
+inline float powerOfTwo(int logarithm)
+{
+    Cv32suf bits;
+    bits.i = (logarithm + LOG_BIAS) << LOG_SHIFT;
+    return bits.f;
+}
+
 //! Describes regions as the cost of a union reads them.
 class RegionDescriber
 {

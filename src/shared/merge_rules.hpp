@@ -76,11 +76,12 @@ inline MergeRules mergeByContext()
 {
     MergeRules rules = mergeByTextures();
     rules.spread = 11;
-    rules.spread_texture = 24;
-    rules.distance = 28;
-    rules.length = 40;
+    rules.spread_texture = 34;
+    rules.distance = 30;
+    rules.length = 41;
     rules.lightness = 20;
     rules.chroma = 12;
+    rules.usual = 3.8f; // a union is put off until it is no larger than 4 mean areas
     rules.slope = 7; // differences of lightness, which slopes are too, count more than without contexts
     return rules;
 }

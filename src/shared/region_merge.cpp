@@ -17,10 +17,6 @@ namespace cv { namespace ximgproc { namespace gws {
 // many times SHARE_AT_END as there are regions for each one that is wanted, up to a highest share.
 static const double SHARE_IN_ORDER = 0.4, SHARE_AT_END = 0.35, HIGHEST_SHARE = 0.8;
 
-// Logarithms of how much larger than usual the unions of even regions may be. Where all numbers are wanted, those that
-// are united first are parts of larger ones later, so they may be larger until a part of the regions is left.
-enum { LARGER = LOG_ONE / 5, LARGER_AT_FIRST = LOG_ONE / 2, FIRST_PART = 5 };
-
 SimilarMerger::SimilarMerger(const Mat& labels, const Padded<Feature>& features, const RegionDistance& distance,
                              const MergeRules& rules, MergeBuffers& buffers, Regions& regions, const UnionPlan& plan)
     : distance_(distance), rules_(rules), plan_(plan), b_(buffers), regions_(regions),
@@ -31,9 +27,8 @@ SimilarMerger::SimilarMerger(const Mat& labels, const Padded<Feature>& features,
 }
 
 //! Sets the area that is usual when so many regions are left. All costs change with it.
-void SimilarMerger::expect(int num_regions, int log_larger)
+void SimilarMerger::expect(int num_regions)
 {
-    log_larger_ = log_larger;
     log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
     expects_anew_ = true;
 }
@@ -41,7 +36,7 @@ void SimilarMerger::expect(int num_regions, int log_larger)
 void SimilarMerger::run(int num_regions)
 {
     prepareContexts(num_regions);
-    expect(num_regions, LARGER);
+    expect(num_regions);
     while (num_left_ > num_regions && runRound(num_regions, false))
         if (num_left_ > num_regions)
             b_.graph.relabel(b_.parents, b_.changed);
@@ -61,9 +56,8 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
     std::vector<Vec2i> unions;
     for (const MergePair& pair : prepareContexts(1))
         unions.push_back(Vec2i(pair.from, pair.to));
-    const int num_first = num_left_;
     int expected = leadingBits(num_left_);
-    expect(expected, LARGER_AT_FIRST);
+    expect(expected);
     while (runRound(1, true))
     {
         for (const MergePair& pair : b_.chosen)
@@ -72,7 +66,7 @@ std::vector<Vec2i> SimilarMerger::runToTheEnd()
         if (leadingBits(num_left_) == expected)
             continue;
         expected = leadingBits(num_left_);
-        expect(expected, expected < num_first / FIRST_PART ? LARGER : LARGER_AT_FIRST);
+        expect(expected);
     }
     return unions;
 }
@@ -188,8 +182,8 @@ void SimilarMerger::evaluate()
 void SimilarMerger::findCosts(int k, std::vector<int>& table)
 {
     const size_t first = b_.graph.join(k, table);
-    UnionCost(distance_, rules_, b_.records.data(), b_.contexts.data(), regions_.surfaces.means.data(), log_usual_area_,
-              log_larger_).find(b_.graph.edges(k), expects_anew_ ? 0 : first);
+    UnionCost(distance_, rules_, b_.records.data(), b_.contexts.data(), regions_.surfaces.means.data(), log_usual_area_)
+            .find(b_.graph.edges(k), expects_anew_ ? 0 : first);
 }
 
 void SimilarMerger::findBest(const EdgeList& list)

@@ -51,7 +51,7 @@ private:
     std::vector<MergePair> prepareContexts(int num_wanted);
     std::vector<MergePair> uniteMixtures(int num_wanted);
     void joinEdges();
-    void expect(int num_regions, int log_larger);
+    void expect(int num_regions);
     bool runRound(int num_wanted, bool in_order);
     void evaluate();
     void findCosts(int k, std::vector<int>& table);
@@ -72,7 +72,6 @@ private:
     int num_left_;
     double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
-    int log_larger_;     // so much larger are those that even regions may make
     bool expects_anew_;  // another area than the known costs have
 };
 

@@ -9,7 +9,6 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
 enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond the usual
-enum { EVEN = 8 * STEPS_PER_LEVEL }; // colours are even if they deviate by no more
 
 //! The words of four records: one vector for each.
 struct FourRegions
@@ -221,21 +220,6 @@ v_int32x4 UnionCost::addColors(const MergeEdge* edges, const FourRegions& a, con
                  weigh(distance, lightness, distance_and_lightness_, with_contexts));
 }
 
-//! The logarithm of how much larger than usual unions may be: if both regions are even, so that none has several
-//! colours of a pattern, and if they lie side by side, not corner to corner.
-v_int32x4 UnionCost::largerThanUsual(const MergeEdge* e, const v_int32x4& relative_length) const
-{
-    const auto variation = [&](const MergeEdge& edge)
-    {
-        return std::max(contexts_[edge.a].variation, contexts_[edge.b].variation);
-    };
-    const v_int32x4 zero = v_setzero_s32();
-    const v_int32x4 variations(variation(e[0]), variation(e[1]), variation(e[2]), variation(e[3]));
-    const v_int32x4 uneven = subtract(variations, v_setall_s32(EVEN * EVEN));
-    const v_int32x4 stays_usual = isPositive(v_max(uneven, subtract(zero, relative_length)));
-    return v_select(stays_usual, zero, log_larger_);
-}
-
 //! What areas and the common boundary add.
 v_int32x4 UnionCost::addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const
 {
@@ -247,8 +231,7 @@ v_int32x4 UnionCost::addShapes(const MergeEdge* edges, const FourAreas& areas, c
     const v_int32x4 contrast = subtract(logarithm(v_load(contrasts)), length);
     const v_int32x4 relative_length = subtract(length, v_shr<1>(areas.smaller));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
-    const v_int32x4 usual = contexts_ ? add(log_usual_area_, largerThanUsual(edges, relative_length)) : log_usual_area_;
-    const v_int32x4 excess = v_max(subtract(subtract(areas.both, compactness), usual), zero);
+    const v_int32x4 excess = v_max(subtract(subtract(areas.both, compactness), log_usual_area_), zero);
     return weigh(relative_length, contrast, length_and_contrast_, weigh(areas.product, excess, areas_and_excess_, sum));
 }
 
@@ -281,15 +264,13 @@ void UnionCost::findFour(MergeEdge* edges) const
 }
 
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
-                     int log_larger)
+                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area)
     : distance_(distance), records_(records), contexts_(contexts), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       slope_in_cell_(v_setall_f32(float(distance.shareOfColor(rules.slope_in_cell)) / 256)),
       rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
-      log_usual_area_(v_setall_s32(log_usual_area)), log_larger_(v_setall_s32(log_larger)),
-      if_they_grow_(v_setall_s32(-int(rules.grow))),
+      log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_lightness_(makePairs(distance.with_depth ? rules.with_depth : rules.distance,
                                         -distance.shareOfColor(rules.lightness))),

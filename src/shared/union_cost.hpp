@@ -28,8 +28,7 @@ struct FourRegions;
 //!     larger r / smaller r                    direction    RegionTexture for each pixel; r = (a + 0.5) / (b + 0.5)
 //!     c^2 + slope e + noise                   spread       c the distance of colours that have spread (MergeContexts)
 //!     |log2 U1 - log2 U2| + 0.1               spread_texture   U the textures T that have spread
-//!     max(1, s (n1 + n2) / (u usual area))    32           s = root of max(1, root of the smaller n / l), or 1;
-//!                                                          u = 1.15 or 1.4 between even regions side by side
+//!     max(1, s (n1 + n2) / usual area)        32           s = root of max(1, root of the smaller n / l), or 1
 //!     max(1, min(larger T / smaller T, usual area / smaller n) / 5)   -mixed
 //!     e = max(0, smaller g^2 - t^2 - larger q^2) * smaller n: what a slope that both are parts of explains of d^2
 //!     g  mean rises of lightness across and down, half of those from one element to the next
@@ -40,9 +39,7 @@ struct FourRegions;
 //! a plan. Between rough regions, differences mean less; texture that is not measured is none. Without the limit of
 //! areas, a region with both colours of a pattern, nearer to all around it than these to each other, would take in one
 //! after the other. s is more than 1 only where regions grow later, for strips that meet end to end: they may become
-//! twice as broad. Where contexts count, u is more if l is at least the root of the smaller n, and if the colours that
-//! each region was united of deviate by 8 levels at most: then it has one colour of a pattern. `mixed` lets go what is
-//! made of blocks astride of an edge, or a sliver would be left of it.
+//! twice as broad. `mixed` lets go what is made of blocks astride of an edge, or a sliver would be left of it.
 //! slope < 0 lets parts of a shaded area unite in all directions; > 0 keeps a ramp from becoming strips, as all of them
 //! differ like those along the slope. Parts of a plan are compact without it. Colours shade where chroma rises by 0.1
 //! to 3 levels, and a + b is at most the rises of all channels, `uneven` and a twentieth of those of chroma. Then g is
@@ -52,11 +49,9 @@ struct FourRegions;
 class UnionCost
 {
 public:
-    //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count. log_larger is the
-    //! logarithm of u.
+    //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count.
     UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
-              int log_larger);
+              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area);
 
     //! Finds the costs of the edges from one on.
     void find(EdgeList& list, size_t first) const;
@@ -65,7 +60,6 @@ private:
     void findFour(MergeEdge* edges) const;
     v_int32x4 addColors(const MergeEdge* edges, const FourRegions& a, const FourRegions& b, const FourAreas& areas,
                         const v_int32x4& sum) const;
-    v_int32x4 largerThanUsual(const MergeEdge* edges, const v_int32x4& relative_length) const;
     v_int32x4 addShapes(const MergeEdge* edges, const FourAreas& areas, const v_int32x4& sum) const;
     v_int32x4 addTextures(const FourRegions& a, const FourRegions& b, const FourAreas& areas,
                           const v_int32x4& sum) const;
@@ -84,7 +78,6 @@ private:
     v_float32x4 slope_, slope_in_cell_; // of a squared slope, to a squared distance
     v_int16x8 rounding_; // of slopes
     v_int32x4 log_usual_area_; // above it, unions are expensive
-    v_int32x4 log_larger_;     // so much larger are those that even regions may make
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_lightness_, brightness_and_chroma_, areas_and_excess_, length_and_contrast_,
