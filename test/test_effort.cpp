@@ -200,6 +200,16 @@ TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_board_with_th
             }
 }
 
+// No difference of textures or directions outweighs the limit of areas.
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_fine_board_with_the_most_effort)
+{
+    Mat image(481, 321, CV_8UC3);
+    for (int y = 0; y < image.rows; y++)
+        for (int x = 0; x < image.cols; x++)
+            image.at<Vec3b>(y, x) = ((x + 2) / 2 + y / 2) % 2 ? Vec3b(40, 60, 190) : Vec3b(170, 200, 60);
+    EXPECT_LE(extremeAreas(segmentRegions(image, 3, 17))[1], 4);
+}
+
 Ptr<SuperpixelGWatershed> createTemporalWithEffort(Size size, int effort)
 {
     Ptr<SuperpixelGWatershed> gws = createWithEffort(size, 75, effort);

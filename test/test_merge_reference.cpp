@@ -294,6 +294,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
     while (n / few >= 8)
         few *= 2;
     const double usual_area = std::max(1., 3.8 * num_pixels / (n / few * few));
+    const double most_area = std::max(1., 4 * num_pixels / (n / few * few));
     std::map<RegionPair, CostSpan> costs;
     for (const auto& e : regions.boundaries)
     {
@@ -318,6 +319,7 @@ std::map<RegionPair, CostSpan> mergeCosts(const RegionMeasures& regions, const s
         }
         const double rest = straightLog(na) + straightLog(nb) - straightLog(na + nb) +
                             32 * std::max(0., straightLog(na + nb) - straightLog(usual_area)) +
+                            (straightLog(na + nb) > straightLog(most_area) ? 32 : 0) +
                             0.95 * (straightLog(e.second.second + l) - straightLog(l)) -
                             0.640625 * (straightLog(l) - straightLog(std::min(na, nb)) / 2) -
                             0.3125 * straightLog(16 * std::abs(d[0]) + 7) -

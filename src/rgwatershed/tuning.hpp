@@ -153,18 +153,16 @@ inline MergeRules pixelMergeRules(float ruler, bool with_depth)
 {
     MergeRules rules = mergeByTextures();
     rules.texture = 66; // noise and few levels are textures, too
-    // No pattern has larger superpixels than 4 mean areas.
+    rules.usual = 3.2f; // 1 of 2500 patterns has a superpixel larger than 4 mean areas
     if (with_depth)
     {
         rules.length = 56; // depth is even over large parts, and says nothing of shapes there
-        rules.usual = 3.2f;
     }
     else
     {
         rules.spread = 8;
         rules.spread_texture = 12;
         rules.distance = 32;
-        rules.usual = 3;
     }
     rules.length = cvRound(double(rules.length + 2) * mergeLength(ruler) / mergeLength(10));
     return rules;

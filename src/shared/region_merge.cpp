@@ -29,7 +29,9 @@ SimilarMerger::SimilarMerger(const Mat& labels, const Padded<Feature>& features,
 //! Sets the area that is usual when so many regions are left. All costs change with it.
 void SimilarMerger::expect(int num_regions)
 {
+    const float MOST = 4; // mean areas
     log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
+    log_most_area_ = logarithm(std::max(1.f, MOST * float(area_ / num_regions)));
     expects_anew_ = true;
 }
 
@@ -182,8 +184,8 @@ void SimilarMerger::evaluate()
 void SimilarMerger::findCosts(int k, std::vector<int>& table)
 {
     const size_t first = b_.graph.join(k, table);
-    UnionCost(distance_, rules_, b_.records.data(), b_.contexts.data(), regions_.surfaces.means.data(), log_usual_area_)
-            .find(b_.graph.edges(k), expects_anew_ ? 0 : first);
+    UnionCost(distance_, rules_, b_.records.data(), b_.contexts.data(), regions_.surfaces.means.data(), log_usual_area_,
+              log_most_area_).find(b_.graph.edges(k), expects_anew_ ? 0 : first);
 }
 
 void SimilarMerger::findBest(const EdgeList& list)

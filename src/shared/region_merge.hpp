@@ -72,6 +72,7 @@ private:
     int num_left_;
     double area_;        // of all regions
     int log_usual_area_; // above it, unions are expensive
+    int log_most_area_;  // above it, they come last
     bool expects_anew_;  // another area than the known costs have
 };
 

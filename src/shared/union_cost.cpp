@@ -8,6 +8,7 @@
 namespace cv { namespace ximgproc { namespace gws {
 
 enum { MOST_OF_SHADE = 8 }; // a squared distance of shades above so many times what their slope explains is an edge
+enum { LAST = 32 * EXPONENT_ONE * LOG_ONE }; // what a union that is too large costs more: a factor of 2^32
 enum { EXCESS = 32 * EXPONENT_ONE }; // exponent of the area of a union beyond the usual
 
 //! The words of four records: one vector for each.
@@ -232,7 +233,10 @@ v_int32x4 UnionCost::addShapes(const MergeEdge* edges, const FourAreas& areas, c
     const v_int32x4 relative_length = subtract(length, v_shr<1>(areas.smaller));
     const v_int32x4 compactness = bitAnd(v_min(v_shr<1>(relative_length), zero), if_they_grow_);
     const v_int32x4 excess = v_max(subtract(subtract(areas.both, compactness), log_usual_area_), zero);
-    return weigh(relative_length, contrast, length_and_contrast_, weigh(areas.product, excess, areas_and_excess_, sum));
+    const v_int32x4 comes_last = v_shr<31>(subtract(log_most_area_, areas.both)); // all bits, or none
+    const v_int32x4 with_last = add(sum, bitAnd(comes_last, v_setall_s32(LAST)));
+    return weigh(relative_length, contrast, length_and_contrast_,
+                 weigh(areas.product, excess, areas_and_excess_, with_last));
 }
 
 //! What textures add.
@@ -264,13 +268,15 @@ void UnionCost::findFour(MergeEdge* edges) const
 }
 
 UnionCost::UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area)
+                     const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
+                     int log_most_area)
     : distance_(distance), records_(records), contexts_(contexts), surfaces_(surfaces),
       noise_(v_setall_s32(4 * rules.noise)), noise_in_cell_(v_setall_s32(4 * rules.noise_in_cell)),
       slope_(v_setall_f32(float(distance.shareOfColor(rules.slope)) / 256)),
       slope_in_cell_(v_setall_f32(float(distance.shareOfColor(rules.slope_in_cell)) / 256)),
       rounding_(v_setall_s16(short(cvRound(rules.rounding * float(SLOPE_OF_LEVEL))))),
-      log_usual_area_(v_setall_s32(log_usual_area)), if_they_grow_(v_setall_s32(-int(rules.grow))),
+      log_usual_area_(v_setall_s32(log_usual_area)), log_most_area_(v_setall_s32(log_most_area)),
+      if_they_grow_(v_setall_s32(-int(rules.grow))),
       light_level_(v_setall_s32((distance.weights[0][0] * STEPS_PER_LEVEL) / FULL_WEIGHT)),
       distance_and_lightness_(makePairs(distance.with_depth ? rules.with_depth : rules.distance,
                                         -distance.shareOfColor(rules.lightness))),

@@ -35,6 +35,7 @@ struct FourRegions;
 //!     t  max(0, |g1 - g2| - rounding)
 //!     q  roughness * max(0, a + b - |gx| - |gy| - grain), steps that are no slope; of blocks, q^2 is more by the mean
 //!        of the squares of their rises less g^2, less a squared third of a level: at an edge a few rise much
+//! A union above 4 mean areas of all that are left is dearer by 2^32, so that it is done if there is no other.
 //! Noise lets small regions go first where colours are equal; it is less in a cell of the grid of markers or a part of
 //! a plan. Between rough regions, differences mean less; texture that is not measured is none. Without the limit of
 //! areas, a region with both colours of a pattern, nearer to all around it than these to each other, would take in one
@@ -51,7 +52,8 @@ class UnionCost
 public:
     //! `surfaces` are read if the distance has surfaces. `contexts` are null if they do not count.
     UnionCost(const RegionDistance& distance, const MergeRules& rules, const MergeRegion* records,
-              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area);
+              const MergeContext* contexts, const SurfaceMean* surfaces, int log_usual_area,
+              int log_most_area);
 
     //! Finds the costs of the edges from one on.
     void find(EdgeList& list, size_t first) const;
@@ -78,6 +80,7 @@ private:
     v_float32x4 slope_, slope_in_cell_; // of a squared slope, to a squared distance
     v_int16x8 rounding_; // of slopes
     v_int32x4 log_usual_area_; // above it, unions are expensive
+    v_int32x4 log_most_area_;  // above it, they come last
     v_int32x4 if_they_grow_;   // all bits, or none
     v_int32x4 light_level_;    // 1 level of lightness, as means have it
     v_int16x8 distance_and_lightness_, brightness_and_chroma_, areas_and_excess_, length_and_contrast_,
