@@ -154,6 +154,25 @@ TEST(ximgproc_GWatershed_depth, an_infinite_pixel_takes_no_levels_from_others)
         }
 }
 
+//! A block of noise has no sides. As long as it took the depth of one, whatever pixels were nearest to each other, the
+//! noise went on to all levels, and superpixels were ragged: 0.25 and 0.11.
+TEST(ximgproc_GWatershed_depth, noise_is_averaged_in_blocks)
+{
+    const Mat disc = makeDisc();
+    for (const Vec2d& step_and_least : { Vec2d(0.1, 0.33), Vec2d(0.05, 0.18) })
+    {
+        Mat depth(disc.size(), CV_32FC1, Scalar(1500)), noise(disc.size(), CV_32FC1);
+        depth.setTo(Scalar(1500 * (1 - step_and_least[0])), disc);
+        theRNG().fill(noise, RNG::NORMAL, 1, 0.01);
+        depth = depth.mul(noise);
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(disc.cols, disc.rows, 3, 200);
+        gws->iterate(Mat(disc.size(), CV_8UC3, Scalar::all(120)), depth);
+        const Mat labels = labelsOf(gws);
+        EXPECT_GT(compactness(labels), step_and_least[1]) << step_and_least[0];
+        EXPECT_GT(purity(labels, 200, disc), 0.998) << step_and_least[0];
+    }
+}
+
 //! As the tutorial says.
 TEST(ximgproc_GWatershed_depth, steps_of_2_percent_become_boundaries)
 {

@@ -5,15 +5,17 @@
 #include "precomp.hpp"
 #include "rgwatershed/feature_pyramid.hpp"
 #include "rgwatershed/block_normals.hpp"
+#include "rgwatershed/depth_step.hpp"
 #include "rgwatershed/tuning.hpp"
 #include "shared/row_chunks.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Depth of a block of side * side elements: the mean of those that are valid. Where a step goes through the block,
-//! that of the side which has more of it, or the near one. A mean of both would be a depth that is nowhere, and regions
-//! of it would lie astride. `lost` becomes what the sum over the elements has more than that of as many of this depth.
-static uchar depthOfBlock(const Feature* const* rows, int side, int x, int& lost)
+//! Depth of a block of side * side elements: the mean of those that are valid. Where a step, more than `step` levels,
+//! goes through the block, that of the side which has more of it, or the near one. A mean of both would be a depth that
+//! is nowhere, and regions of it would lie astride. `lost` becomes what the sum over the elements has more than that of
+//! as many of this depth.
+static uchar depthOfBlock(const Feature* const* rows, int side, int x, int step, int& lost)
 {
     int sum = 0, count = 0, low = 255, high = 0;
     for (int i = 0; i < side * side; i++)
@@ -25,7 +27,7 @@ static uchar depthOfBlock(const Feature* const* rows, int side, int x, int& lost
         high = std::max(high, depth);
     }
     lost = 0;
-    if (high - low <= STEP_OF_DEPTH)
+    if (high - low <= step)
         return count > 0 ? uchar((sum + count / 2) / count) : uchar(0);
     int sums[2] = {}, counts[2] = {}; // of the far and of the near side
     for (int i = 0; i < side * side; i++)
@@ -65,14 +67,15 @@ static inline v_int16x8 divideByFour(const v_uint16x8& sums)
     return v_reinterpret_as_s16(v_shr<2>(v_add_wrap(sums, v_setall_u16(2))));
 }
 
-//! Whether a step of depth goes through one of four blocks. What is missing, 0, is above all others less 1.
-static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_uint8x16& c, const v_uint8x16& d)
+//! Whether a step of more levels goes through one of four blocks. What is missing, 0, is above all others less 1.
+static inline bool haveStep(const v_uint8x16& a, const v_uint8x16& b, const v_uint8x16& c, const v_uint8x16& d,
+                            int step)
 {
     const v_uint8x16 one = v_setall_u8(1), high = v_max(v_max(a, b), v_max(c, d));
     const v_uint8x16 low = v_min(v_min(v_sub_wrap(a, one), v_sub_wrap(b, one)),
                                  v_min(v_sub_wrap(c, one), v_sub_wrap(d, one)));
     const v_uint8x16 steps = subtract(subtract(high, one), low);
-    return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(STEP_OF_DEPTH);
+    return v_reduce_max(v_shr<24>(v_reinterpret_as_u32(steps))) > unsigned(step);
 }
 
 //! The sums of the channels over two blocks of 2x2 elements.
@@ -83,11 +86,12 @@ static inline v_uint16x8 sumOfTwo(const Feature* upper, const Feature* lower)
     return v_add_wrap(v_combine_low(first, second), v_combine_high(first, second));
 }
 
-//! Means of blocks of 2x2 elements, 4 blocks at a time. Returns whether a step of depth goes through one of them.
-static inline bool halveRow(const Feature* upper, const Feature* lower, bool with_depth, Feature* to)
+//! Means of blocks of 2x2 elements, 4 blocks at a time. Returns whether a step of depth goes through one of them; none
+//! is looked for without depth, where it is 0.
+static inline bool halveRow(const Feature* upper, const Feature* lower, int step, Feature* to)
 {
     const v_uint16x8 low = sumOfTwo(upper, lower), high = sumOfTwo(upper + 4, lower + 4);
-    if (!with_depth)
+    if (step == 0)
     {
         v_store(to->color, v_pack_u(divideByFour(low), divideByFour(high)));
         return false;
@@ -99,7 +103,7 @@ static inline bool halveRow(const Feature* upper, const Feature* lower, bool wit
     const v_uint8x16 c = v_reinterpret_as_u8(third), d = v_reinterpret_as_u8(fourth);
     const Halves factors(twelfths(a, b, c, d));
     v_store(to->color, v_pack_u(divideByTwelve(low, factors.low), divideByTwelve(high, factors.high)));
-    return haveStep(a, b, c, d);
+    return haveStep(a, b, c, d, step);
 }
 
 //! The elements of a row as if all blocks were whole: the last one of the short block stands for those that it misses.
@@ -140,19 +144,19 @@ private:
 } // namespace
 
 //! Takes the depths of some blocks one by one. Elements of theirs begin with the rows.
-static void takeDepths(const Feature* const* rows, int side, const Range& blocks, int y, Feature* to,
+static void takeDepths(const Feature* const* rows, int side, const Range& blocks, int y, int step, Feature* to,
                        std::vector<LostDepth>& lost_depths)
 {
     for (int x = blocks.start; x < blocks.end; x++)
     {
         LostDepth lost = { Point(x, y), 0 };
-        to[x].depth = depthOfBlock(rows, side, side * x, lost.sum);
+        to[x].depth = depthOfBlock(rows, side, side * x, step, lost.sum);
         if (lost.sum != 0)
             lost_depths.push_back(lost);
     }
 }
 
-static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
+static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid, int step, const Range& rows,
                           Padded<Feature>& halved, std::vector<LostDepth>& lost_depths)
 {
     const int width = halved.size().width;
@@ -163,8 +167,8 @@ static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid
         Feature* to = halved.row(y);
         int x = 0;
         for (; x <= width - 4; x += 4)
-            if (halveRow(from[0] + 2 * x, from[1] + 2 * x, with_depth, to + x))
-                takeDepths(from, 2, Range(x, x + 4), y, to, lost_depths);
+            if (halveRow(from[0] + 2 * x, from[1] + 2 * x, step, to + x))
+                takeDepths(from, 2, Range(x, x + 4), y, step, to, lost_depths);
         if (x == width)
             continue;
         Feature last_upper[8], last_lower[8], last[4];
@@ -174,10 +178,10 @@ static void halveFeatures(const Padded<Feature>& features, const BlockGrid& grid
             last_upper[i] = from[0][element];
             last_lower[i] = from[1][element];
         }
-        const bool have_step = halveRow(last_upper, last_lower, with_depth, last);
+        const bool have_step = halveRow(last_upper, last_lower, step, last);
         std::copy(last, last + (width - x), to + x);
         if (have_step)
-            takeDepths(from, 2, Range(x, width), y, to, lost_depths);
+            takeDepths(from, 2, Range(x, width), y, step, to, lost_depths);
     }
 }
 
@@ -199,7 +203,7 @@ static inline void meanOfColumns(const ushort* sums, Feature* to)
     v_pack_store(to->color, v_mul_hi(sum, v_setall_u16(NINTH)));
 }
 
-static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid, bool with_depth, const Range& rows,
+static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid, int step, const Range& rows,
                           Padded<Feature>& thirds, std::vector<LostDepth>& lost_depths)
 {
     const int width = thirds.size().width, CHANNELS = int(sizeof(Feature));
@@ -214,8 +218,8 @@ static void thirdFeatures(const Padded<Feature>& features, const BlockGrid& grid
         addRows(from, 3 * width, sums.data());
         for (int x = 0; x < width; x += 2)
             meanOfColumns(&sums[3 * CHANNELS * x], &means[x]);
-        if (with_depth)
-            takeDepths(from, 3, Range(0, width), y, means.data(), lost_depths);
+        if (step > 0)
+            takeDepths(from, 3, Range(0, width), y, step, means.data(), lost_depths);
         std::copy(means.begin(), means.begin() + width, thirds.row(y));
     }
 }
@@ -236,21 +240,21 @@ static void createLevels(const Frame& frame, const BlockLevels& levels, PyramidL
     }
 }
 
-//! Some rows of a level, those of a chunk.
+//! Some rows of a level, those of a chunk. A step of depth is that of blocks, 0 without depth.
 static void makeRows(const Frame& frame, bool lab_input, const BlockLevels& levels, int level, const Range& rows,
-                     int chunk, PyramidLevel* features)
+                     int chunk, int step, PyramidLevel* features)
 {
-    const Mat &color = frame.color, &depth = frame.depth;
+    const Mat& color = frame.color;
     if (level == 0)
     {
-        makeFeatures(color, depth, lab_input, rows, features[0]);
+        makeFeatures(color, frame.depth, lab_input, rows, features[0]);
         return;
     }
     const BlockGrid grid = levels.grid(level, color.size());
     const auto makeBlocks = levels.ratio(level) == 3 ? thirdFeatures : halveFeatures;
     std::vector<LostDepth>& lost_depths = features[level].lost_depths[chunk];
     lost_depths.clear();
-    makeBlocks(features[level - 1], grid, !depth.empty(), rows, features[level], lost_depths);
+    makeBlocks(features[level - 1], grid, step, rows, features[level], lost_depths);
 }
 
 void addLostDepths(const PyramidLevel& blocks, const Padded<int>& labels, Regions& regions)
@@ -279,7 +283,7 @@ static void fillHoles(const Mat& mask, const Mat& blocks, const Range& rows, Pad
 
 //! All levels of a chunk, of which the rows of the last level are known; its blocks are whole.
 static void makeChunk(const Frame& frame, bool lab_input, const BlockLevels& levels, const MaskPyramid& masks,
-                      const Range& top_rows, int chunk, PyramidLevel* features)
+                      const Range& top_rows, int chunk, int step, PyramidLevel* features)
 {
     Range rows[MAX_LEVEL + 1]; // on each level
     rows[levels.top] = top_rows;
@@ -290,7 +294,7 @@ static void makeChunk(const Frame& frame, bool lab_input, const BlockLevels& lev
     }
     for (int level = 0; level <= levels.top; level++)
     {
-        makeRows(frame, lab_input, levels, level, rows[level], chunk, features);
+        makeRows(frame, lab_input, levels, level, rows[level], chunk, step, features);
         if (!frame.mask.empty() && level < levels.top)
             fillHoles(masks.mask(level), masks.mask(level + 1), rows[level], features[level]);
     }
@@ -305,7 +309,11 @@ void makePyramid(const Frame& frame, bool lab_input, const BlockLevels& levels, 
     const RowChunks chunks(features[levels.top].size().height, ROWS / levels.side(levels.top));
     for (int level = 1; level <= levels.top; level++)
         features[level].lost_depths.resize(chunks.size());
-    chunks.forAll([&](int k, const Range& rows) { makeChunk(frame, lab_input, levels, masks, rows, k, features); });
+    const int step = frame.depth.empty() ? 0 : stepOfDepth(frame.depth);
+    chunks.forAll([&](int k, const Range& rows)
+    {
+        makeChunk(frame, lab_input, levels, masks, rows, k, step, features);
+    });
 }
 
 }}} // namespace
