@@ -79,6 +79,29 @@ TEST(ximgproc_GWatershed_surfaces, lattice_of_depth_has_surfaces)
     EXPECT_GT(compactness(labels), compactness(labelsOf(segment(gray(), depth, 60))) - 0.1);
 }
 
+// On each level of a mask surfaces are measured anew, and with them the number of depths: that of blocks, each of which
+// stood for all of its pixels, put the centres of planes at half of their places, and compactness was 0.15 lower.
+TEST(ximgproc_GWatershed_surfaces, gaps_of_depth_harm_no_plane_inside_of_a_mask)
+{
+    const Rect half(SIZE.width / 2, 0, SIZE.width / 2, SIZE.height);
+    Mat depth = makePlane(1500, -0.5, 0), right = Mat::zeros(SIZE, CV_8UC1), gaps(SIZE, CV_8UC1);
+    makePlane(1500, 0.5, 0)(half).copyTo(depth(half));
+    right(half).setTo(Scalar(255));
+    theRNG().fill(gaps, RNG::UNIFORM, 0, 2);
+    depth.setTo(Scalar(0), gaps);
+    const Mat free = labelsOf(segment(gray(), depth, 60));
+    Mat mask(SIZE, CV_8UC1, Scalar(255));
+    mask.at<uchar>(0, 0) = 0;
+    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(SIZE.width, SIZE.height, 3, 60);
+    gws->setFocalLength(FOCAL);
+    gws->setMask(mask);
+    gws->iterate(gray(), depth);
+    Mat labels = labelsOf(gws);
+    labels.at<int>(0, 0) = labels.at<int>(0, 1);
+    EXPECT_GT(purity(labels, 60, right), 0.99);
+    EXPECT_GT(compactness(labels), compactness(free) - 0.1);
+}
+
 TEST(ximgproc_GWatershed_surfaces, box_on_a_table_of_its_colour_is_cut_out)
 {
     const Mat table = makePlane(900, 0, -1.2); // it comes nearer to the bottom of the image

@@ -271,12 +271,14 @@ void floodFromRegions(const FeatureMap& features, const RegionDistance& distance
         buffers.regions[i] = FloodRegion(regions.sums[i], Point(), middles[i]);
     floodRows(features, distance, ruler, ANY_AREA, Range(0, labels.size().height), seeds.data(),
               seeds.data() + seeds.size(), buffers, buffers.fronts[0], labels);
+    if (features.withNormals())
+    {
+        measureRegions(features, labels.view(), regions); // sums over blocks count the depths that blocks lack, too
+        return;
+    }
     for (int i = 0; i < regions.size(); i++)
         regions.sums[i] = buffers.regions[i].sum;
-    if (features.withNormals())
-        measureSurfaces(features, labels.view(), regions);
-    else
-        regions.update();
+    regions.update();
 }
 
 }}} // namespace
