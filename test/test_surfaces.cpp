@@ -226,6 +226,13 @@ TEST(ximgproc_GWatershed_surfaces, noise_of_depth_does_not_cut_a_wall)
     EXPECT_LT(compactness(labelsOf(gws)), 0.3 * colour_alone);
 }
 
+//! Where depth is hardly wider than its noise, that had up to all levels: 0.05, and 0.12 where blocks average it.
+TEST(ximgproc_GWatershed_surfaces, noise_alone_has_few_levels)
+{
+    const Mat noisy = addNoise(makePlane(1500, 0, 0), 2e-5); // 3 %
+    EXPECT_GT(compactness(labelsOf(segment(gray(), noisy, 100))), 0.16); // 0.78 without depth
+}
+
 TEST(ximgproc_GWatershed_surfaces, depth_that_is_constant_or_missing_changes_nothing)
 {
     const Mat image = makeScene(SIZE, theRNG());
