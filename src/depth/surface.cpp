@@ -116,7 +116,8 @@ NearnessScale scaleOf(const DepthSpan& span, double noise_of_inverse)
     const int near_level = span.nearer ? NEAREST - NEAR_GAP : NEAREST;
     const int far_level = has_gap ? FARTHEST + FAR_GAP : FARTHEST;
     const double inverse_near = 1. / span.range.first, inverse_far = 1. / span.range.last;
-    const double finest = std::min(LEVELS / inverse_near, LEVELS_OF_NOISE / std::max(noise_of_inverse, DBL_MIN));
+    const double most = LEVELS / inverse_near;
+    const double finest = noise_of_inverse * most > LEVELS_OF_NOISE ? LEVELS_OF_NOISE / noise_of_inverse : most;
     const double slope = std::min((near_level - far_level) / std::max(inverse_near - inverse_far, DBL_MIN), finest);
     const double horizon = far_level - slope / span.range.last; // a quotient is rounded before it is taken off
     return { float(horizon + 0.5), float(slope), float(horizon) };
