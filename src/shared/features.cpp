@@ -9,15 +9,16 @@ namespace cv { namespace ximgproc { namespace gws {
 
 enum { STRIDE = 16 }; // pixels that are converted at once
 
-//! Of numbers up to 255, which need no saturation.
 //! The mean of two bytes, rounded up: compilers know this as one instruction for sixteen of them.
 static inline uchar meanOf(uchar a, uchar b) { return uchar((a + b + 1) >> 1); }
 
-//! All bits turned, 255 - a: the mean of turned bytes is the turned mean, rounded down.
+//! 255 - a. The mean of turned bytes is the turned mean, rounded down.
 static inline uchar turned(uchar a) { return uchar(~a); }
 
-//! Lightness (r + 2g + b) / 4, and (r - g) / 2 and (r + g - 2b) / 4, both + 128, rounded up at a half, 255 at most. A
-//! mean of a mean is rounded right if the first one is rounded down.
+//! The opponent space: lightness (R + 2G + B) / 4, and the differences of red against green, (R - G) / 2, and of yellow
+//! against blue, (R + G - 2B) / 4, both shifted by 128; rounded up at a half, 255 at most.
+//! @note As good as CIELAB for superpixels (measured, doc/log.md), and only a few means of bytes. A mean of a mean is
+//! rounded right if the first one is rounded down.
 static inline void convertFromBGR(v_uint8x16& b, v_uint8x16& g, v_uint8x16& r)
 {
     uchar blue[STRIDE], green[STRIDE], red[STRIDE];
@@ -27,17 +28,18 @@ static inline void convertFromBGR(v_uint8x16& b, v_uint8x16& g, v_uint8x16& r)
     for (int i = 0; i < STRIDE; i++)
     {
         const uchar not_red = turned(red[i]), not_green = turned(green[i]);
-        const uchar low = turned(meanOf(turned(blue[i]), not_red)), high = meanOf(not_red, not_green);
-        const uchar c0 = meanOf(low, green[i]), c1 = meanOf(red[i], not_green), c2 = meanOf(high, blue[i]);
-        blue[i] = c0;
-        green[i] = c1;
-        red[i] = c2;
+        const uchar of_both_ends = turned(meanOf(turned(blue[i]), not_red)), not_yellow = meanOf(not_red, not_green);
+        const uchar lightness = meanOf(of_both_ends, green[i]), against_green = meanOf(red[i], not_green);
+        red[i] = meanOf(not_yellow, blue[i]);
+        blue[i] = lightness;
+        green[i] = against_green;
     }
     b = v_load(blue);
     g = v_load(green);
-    r = subtract(v_setall_u8(255), subtract(v_load(red), v_setall_u8(1)));
+    r = subtract(v_setall_u8(255), subtract(v_load(red), v_setall_u8(1))); // 256 less it, 255 at most: it is turned
 }
 
+//! 16 pixels at once.
 static inline void convertStride(const uchar* color, int channels, bool opponents, const uchar* depth, Feature* to)
 {
     v_uint8x16 c0, c1, c2, alpha;
