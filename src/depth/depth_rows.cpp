@@ -25,4 +25,10 @@ void readDepthRow(const Mat& row, float* to)
         readDepths(row.colRange(cols, row.cols), to + cols);
 }
 
+void clipRow(FloatRange range, std::vector<float>& depths)
+{
+    for (float& depth : depths)
+        depth = depth > 0 ? std::min(std::max(depth, range.first), range.last) : depth;
+}
+
 }}} // namespace

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GWATERSHED_DEPTH_ROWS_HPP
 #define OPENCV_GWATERSHED_DEPTH_ROWS_HPP
 
+#include "shared/sample.hpp"
 #include "shared/vector_operators.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
@@ -13,6 +14,8 @@ enum { LEVELS_AT_ONCE = 16 };
 
 //! As readDepths(), of the usual type without a detour.
 void readDepthRow(const Mat& row, float* to);
+//! What was measured becomes a depth of the range.
+void clipRow(FloatRange range, std::vector<float>& depths);
 
 //! All bits where there is a depth.
 inline v_int32x4 hasDepth(const v_float32x4& depth)

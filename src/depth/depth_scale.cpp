@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "depth/depth_noise.hpp"
 #include "depth/depth_rows.hpp"
 #include "depth/depth_sample.hpp"
 #include "depth/depth_scale.hpp"
@@ -165,13 +166,24 @@ bool findGap(const std::vector<float>& depths, FloatRange range, FloatRange& gap
     return true;
 }
 
+//! How many levels a range gets: so many that they are no finer than noise.
+int levelsFor(const Mat& depth, FloatRange range, int most)
+{
+    if (range.last > FLT_MAX)
+        return most; // all depths are equal
+    const double noise = noiseOfDepth(depth, range, false), length = double(range.last) - range.first;
+    return noise * most > LEVELS_OF_NOISE * length ? std::max(int(LEVELS_OF_NOISE * length / noise), 1) : most;
+}
+
 //! The scale of a frame.
 DepthScale findScale(const Mat& depth)
 {
     DepthSample sample = sampleFrame(depth);
     FloatRange range = findRange(depth, sample.depths), gap;
     const int farthest = sample.has_far ? FARTHEST - LEVELS_OF_GAP : FARTHEST;
-    return findGap(sample.depths, range, gap) ? DepthScale(range, gap, farthest) : DepthScale(range, farthest);
+    if (findGap(sample.depths, range, gap))
+        return DepthScale(range, gap, farthest);
+    return DepthScale(range, NEAREST + levelsFor(depth, range, farthest - NEAREST));
 }
 
 void scaleRows(const Mat& depth, const DepthScale& scale, Mat& scaled)

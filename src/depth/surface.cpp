@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "depth/surface.hpp"
+#include "depth/depth_noise.hpp"
 #include "depth/depth_rows.hpp"
 #include "depth/depth_span.hpp"
 #include "shared/vector_operators.hpp"
@@ -16,7 +17,6 @@ const int NEAR_INVERSE = 1 << 13; //!< inverse depth of the near end of the rang
 const int FARTHEST = 1, NEAREST = 255;
 const int NEAR_GAP = 64, FAR_GAP = 16; //!< levels between an end of the range and what is much nearer or farther
 const double LEVELS = 2500;  //!< of nearness, at most, down to infinity: finer differences are noise
-const double LEVELS_OF_NOISE = 20; //!< between two pixels, at most, in the median: more cut up what is flat
 
 //! Nearness is offset + slope / depth, rounded down.
 struct NearnessScale
@@ -78,35 +78,6 @@ void invertRows(const float* upper, const float* lower, int blocks, float near_d
         const v_float32x4 mean = divide(multiply(scale, count), v_max(sum, v_setall_f32(FLT_MIN)));
         v_pack_store(inverses + x, v_trunc(v_min(mean, v_setall_f32(InverseDepths::MOST))));
     }
-}
-
-//! What was measured becomes a depth of the range.
-void clipRow(FloatRange range, std::vector<float>& depths)
-{
-    for (float& depth : depths)
-        depth = depth > 0 ? std::min(std::max(depth, range.first), range.last) : depth;
-}
-
-//! The median difference of the inverse depths of two neighbours, within limits, in sixteen rows, or some more, equally
-//! far apart: on surfaces there is little but noise between pixels, and edges are too few to matter. 0 if there are no
-//! such two.
-double noiseOfInverse(const Mat& depth, FloatRange limits)
-{
-    const int ROWS = 16, apart = std::max(depth.rows / ROWS, 1);
-    std::vector<float> row(depth.cols), steps;
-    for (int y = apart / 2; y < depth.rows; y += apart)
-    {
-        readDepthRow(depth.row(y), row.data());
-        clipRow(limits, row);
-        for (int x = 1; x < depth.cols; x++)
-            if (row[x - 1] > 0 && row[x] > 0)
-                steps.push_back(std::abs(1 / row[x] - 1 / row[x - 1]));
-    }
-    if (steps.empty())
-        return 0;
-    const auto middle = steps.begin() + ptrdiff_t(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
 }
 
 //! Levels that are left over tell apart what is nearer than the range. Its far end may be infinite.
@@ -176,7 +147,7 @@ void findSurface(const Mat& depth, FloatRange range, Camera& camera, SurfaceBuff
         range.first = std::max(range.first, std::min(span.range.first, range.last) / 2);
         span = { range, false, false };
     }
-    const NearnessScale scale = scaleOf(span, noiseOfInverse(depth, limits));
+    const NearnessScale scale = scaleOf(span, noiseOfDepth(depth, limits, true));
     camera.horizon = scale.horizon;
 
     buffers.nearness.create(depth.size(), CV_8UC1);

@@ -208,7 +208,7 @@ public:
     sides, join a side first. Then cheap pairs merge, in rounds. The cost of a pair is Ward's criterion
     @cite Beaulieu1989 with more factors, as a product of powers: the contrast across the common boundary and its
     length, the textures of both and their directions, lightness, chroma, what lies around (without depth), and the area
-    of the union, hardly ever more than 2.9 times the mean (of even parts 3.3). On a slope that both are parts of, all
+    of the union, never more than 4 times the mean while there are others. On a slope that both are parts of, all
     directions cost alike. Distances are those of RGWATERSHED, with surfaces if there are any; alpha weighs depth. Where
     colours are equal, a plan decides: the image is divided into tiles of ten superpixels, and these into halves.
     @param num_superpixels Number to reach, 1 or more. N stays larger if the remaining superpixels do not touch, as
@@ -424,11 +424,11 @@ public:
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth, finite; or
     both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its valid depths (of a
     sample if there are many), or from minimum to maximum if these are equal. A gap without depths that takes 7/8 of
-    that range gets fewer levels. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set
-    a range.
+    that range gets fewer levels, and so does noise: two neighbours differ by 20 in the median at most. CV_8UC1 is taken
+    as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, in which what is far takes
     few levels and what is near takes them from all else: steps of a colour must be 2 % of the depth to be found at the
-    near end, 5, 10 and 20 % at 4, 8 and 16 times its depth, and 1/2500 of the inverse near end at least. The near end
+    near end, 20, 40 and 80 % at 4, 8 and 16 times its depth, and 1/2500 of the inverse near end at least. The near end
     is the nearest thousandth, not the hundredth, but at most a quarter of the range nearer; a near_depth below half of
     it counts as half. What is 64 times as far as the middle of the depths that differ counts as infinite, if it is more
     than a hundredth. Up to a seventh of the depths that lie apart, as a gripper, count as nearer than all others. */

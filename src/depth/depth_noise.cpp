@@ -1,0 +1,31 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "depth/depth_noise.hpp"
+#include "depth/depth_rows.hpp"
+
+namespace cv { namespace ximgproc { namespace gws {
+
+//! Of sixteen rows, or some more, equally far apart; of all if there are fewer.
+double noiseOfDepth(const Mat& depth, FloatRange limits, bool of_inverse)
+{
+    const int ROWS = 16, apart = std::max(depth.rows / ROWS, 1);
+    std::vector<float> row(depth.cols), steps;
+    for (int y = apart / 2; y < depth.rows; y += apart)
+    {
+        readDepthRow(depth.row(y), row.data());
+        clipRow(limits, row);
+        for (int x = 1; x < depth.cols; x++)
+            if (row[x - 1] > 0 && row[x] > 0)
+                steps.push_back(std::abs(of_inverse ? 1 / row[x] - 1 / row[x - 1] : row[x] - row[x - 1]));
+    }
+    if (steps.empty())
+        return 0;
+    const auto middle = steps.begin() + ptrdiff_t(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+}}} // namespace
