@@ -6,7 +6,9 @@
 #include "results/merge_hierarchy.hpp"
 #include "shared/region_measure.hpp"
 #include "shared/renumber.hpp"
+#include <functional>
 #include <numeric>
+#include <queue>
 
 namespace cv { namespace ximgproc { namespace gws {
 
@@ -24,26 +26,21 @@ static std::vector<int> areasOf(const Regions& regions)
 static std::vector<Vec2i> putOffLarge(const std::vector<Vec2i>& unions, std::vector<int> areas)
 {
     const int MOST = 4; // mean areas
-    typedef std::pair<int, Vec2i> Union; // with its area
-    const auto isLarger = [](const Union& a, const Union& b) { return a.first > b.first; };
-    std::vector<Union> waiting; // a heap
+    typedef std::pair<int, size_t> Union; // area and number: of equal ones, no library may choose which is first
+    std::priority_queue<Union, std::vector<Union>, std::greater<Union> > waiting;
     std::vector<Vec2i> ordered;
     const int64 most = MOST * std::accumulate(areas.begin(), areas.end(), int64(0));
     const auto isTooLarge = [&](int area) { return area * int64(areas.size() - ordered.size()) > most; };
     const auto takeWaiting = [&](bool all)
     {
-        for (; !waiting.empty() && (all || !isTooLarge(waiting[0].first)); waiting.pop_back())
-        {
-            ordered.push_back(waiting[0].second);
-            std::pop_heap(waiting.begin(), waiting.end(), isLarger);
-        }
+        for (; !waiting.empty() && (all || !isTooLarge(waiting.top().first)); waiting.pop())
+            ordered.push_back(unions[waiting.top().second]);
     };
-    for (const Vec2i& pair : unions)
+    for (size_t i = 0; i < unions.size(); i++)
     {
         takeWaiting(false);
-        const int area = areas[pair[1]] += areas[pair[0]];
-        waiting.push_back(Union(area, pair));
-        std::push_heap(waiting.begin(), waiting.end(), isLarger);
+        const int area = areas[unions[i][1]] += areas[unions[i][0]];
+        waiting.push(Union(area, i));
     }
     takeWaiting(true);
     return ordered;
