@@ -12,14 +12,15 @@ namespace cv { namespace ximgproc { namespace gws {
 double noiseOfDepth(const Mat& depth, FloatRange limits, bool of_inverse)
 {
     const int ROWS = 16, apart = std::max(depth.rows / ROWS, 1);
-    std::vector<float> row(depth.cols), steps;
+    std::vector<float> row(depth.cols);
+    std::vector<double> steps; // the inverse of the smallest depths is no float
     for (int y = apart / 2; y < depth.rows; y += apart)
     {
         readDepthRow(depth.row(y), row.data());
         clipRow(limits, row);
         for (int x = 1; x < depth.cols; x++)
             if (row[x - 1] > 0 && row[x] > 0)
-                steps.push_back(std::abs(of_inverse ? 1 / row[x] - 1 / row[x - 1] : row[x] - row[x - 1]));
+                steps.push_back(std::abs(of_inverse ? 1. / row[x] - 1. / row[x - 1] : double(row[x]) - row[x - 1]));
     }
     if (steps.empty())
         return 0;
