@@ -9,8 +9,8 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! How many levels of depth the pixels of a block must differ by at least to be those of two sides of a step:
-//! STEP_OF_DEPTH, or more where depth is noisy. depth is CV_8UC1, 0 where it is missing.
+//! Pixels of a block that differ by more levels of depth are those of two sides of a step: STEP_OF_DEPTH, or more where
+//! depth is noisy. depth is CV_8UC1, 0 where it is missing.
 int stepOfDepth(const Mat& depth);
 
 }}} // namespace

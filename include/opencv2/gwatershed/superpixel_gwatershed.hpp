@@ -424,8 +424,8 @@ public:
     @param far_depth Depth that becomes 255. Farther depth becomes 255, too. 0 <= near_depth < far_depth, finite; or
     both 0, the default, for the range of the frame: from the 1st to the 99th percentile of its valid depths (of a
     sample if there are many), or from minimum to maximum if these are equal. A gap without depths that takes 7/8 of
-    that range gets fewer levels, and so does noise: two neighbours differ by 20 in the median at most. CV_8UC1 is taken
-    as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
+    that range gets fewer levels, and so does noise (with surfaces in any range): two neighbours differ by 20 in the
+    median at most. CV_8UC1 is taken as it is if both are 0; CV_64FC1 is read as CV_32FC1. For a video set a range.
     @note Where surfaces are measured (setFocalLength()), the range is one of inverse depth, in which what is far takes
     few levels and what is near takes them from all else: steps of a colour must be 2 % of the depth to be found at the
     near end, 20, 40 and 80 % at 4, 8 and 16 times its depth, and 1/2500 of the inverse near end at least. The near end
