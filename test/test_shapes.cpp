@@ -70,53 +70,48 @@ void spoil(Mat& image, int way)
         GaussianBlur(image, image, Size(), 0.8);
 }
 
-// A superpixel with both colours of a pattern is nearer to all of it than the squares are to each other.
-TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
+//! Calls visit(image, region_size, number, what) for one of `every` patterns.
+template <typename Visit> void visitPatterns(int every, const Visit& visit)
 {
-    int number = 0; // one in five of the patterns
+    int number = 0;
     for (int region_size : REGION_SIZES)
         for (int kind = 0; kind < PATTERN_KINDS; kind++)
             for (int side = 1; side <= 2 * region_size; side += side < 6 ? 1 : side < 20 ? 3 : 7)
                 for (int way = 0; way < 4; way++)
                 {
-                    if (number++ % 5 != 0)
+                    if (number++ % every != 0)
                         continue;
                     Mat image = makePattern(PatternKind(kind), side, number % 2 != 0);
                     spoil(image, way);
-                    for (int merged = 0; merged < 2; merged++)
-                    {
-                        const Mat labels = superpixels(image, region_size, 10, merged ? MERGED : 1);
-                        EXPECT_LE(extremeAreas(labels)[1], 4) << kind << ", side " << side << ", " << region_size
-                                                              << ", " << way;
-                    }
+                    visit(image, region_size, number, format("%d, side %d, %d, %d", kind, side, region_size, way));
                 }
+}
+
+// A superpixel with both colours of a pattern is nearer to all of it than the squares are to each other.
+TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern)
+{
+    visitPatterns(5, [](const Mat& image, int region_size, int, const String& what)
+    {
+        for (int merged = 0; merged < 2; merged++)
+            EXPECT_LE(extremeAreas(superpixels(image, region_size, 10, merged ? MERGED : 1))[1], 4) << what;
+    });
 }
 
 // Any number from all to a tenth is as good. Unions that are parts of larger ones later must wait for their number.
 TEST(ximgproc_SuperpixelGWatershed, no_superpixel_runs_away_with_a_pattern_at_any_number)
 {
-    int number = 0; // one in nine of the patterns
-    for (int region_size : REGION_SIZES)
-        for (int kind = 0; kind < PATTERN_KINDS; kind++)
-            for (int side = 1; side <= 2 * region_size; side += side < 6 ? 1 : side < 20 ? 3 : 7)
-                for (int way = 0; way < 4; way++)
-                {
-                    if (number++ % 9 != 0)
-                        continue;
-                    Mat image = makePattern(PatternKind(kind), side, number % 2 != 0);
-                    spoil(image, way);
-                    Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
-                    gws->setEffort(number % 4);
-                    gws->iterate(image);
-                    const int all = gws->getNumberOfSuperpixels();
-                    for (int n = all * 7 / 8; n >= all / 10; n = n * 7 / 8)
-                    {
-                        gws->mergeSimilar(n);
-                        EXPECT_LE(extremeAreas(labelsOf(gws))[1], 4)
-                            << kind << ", side " << side << ", " << region_size << ", " << way << ", "
-                            << n << " of " << all;
-                    }
-                }
+    visitPatterns(9, [](const Mat& image, int region_size, int number, const String& what)
+    {
+        Ptr<SuperpixelGWatershed> gws = createSuperpixelGWatershed(image, RGWATERSHED, region_size);
+        gws->setEffort(number % 4);
+        gws->iterate(image);
+        const int all = gws->getNumberOfSuperpixels();
+        for (int n = all * 7 / 8; n >= all / 10; n = n * 7 / 8)
+        {
+            gws->mergeSimilar(n);
+            EXPECT_LE(extremeAreas(labelsOf(gws))[1], 4) << what << ", " << n << " of " << all;
+        }
+    });
 }
 
 // Random rows beside random columns of grey levels: the means of both are the same, and all contrasts, too.
