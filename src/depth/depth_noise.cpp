@@ -8,17 +8,16 @@
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! Of sixteen rows, or some more, equally far apart; of all if there are fewer.
 double noiseOfDepth(const Mat& depth, FloatRange limits, bool of_inverse)
 {
-    const int ROWS = 16, apart = std::max(depth.rows / ROWS, 1);
-    std::vector<float> row(depth.cols);
+    const Mat rows = someRows(depth);
+    std::vector<float> row(rows.cols);
     std::vector<double> steps; // the inverse of the smallest depths is no float
-    for (int y = apart / 2; y < depth.rows; y += apart)
+    for (int y = 0; y < rows.rows; y++)
     {
-        readDepthRow(depth.row(y), row.data());
+        readDepthRow(rows.row(y), row.data());
         clipRow(limits, row);
-        for (int x = 1; x < depth.cols; x++)
+        for (int x = 1; x < rows.cols; x++)
             if (row[x - 1] > 0 && row[x] > 0)
                 steps.push_back(std::abs(of_inverse ? 1. / row[x] - 1. / row[x - 1] : double(row[x]) - row[x - 1]));
     }

@@ -12,8 +12,8 @@ namespace cv { namespace ximgproc { namespace gws {
 //! Levels of depth between two neighbours, at most, in the median: more of them cut up what is flat.
 const double LEVELS_OF_NOISE = 20;
 
-//! The median difference of two neighbours, of their depths or of the inverses, within limits: on surfaces there is
-//! little but noise between pixels, and edges are too few to matter. 0 if there are no such two.
+//! The median difference of two neighbours in someRows(), of their depths or of the inverses, within limits: on
+//! surfaces there is little but noise between pixels, and edges are too few to matter. 0 if there are no such two.
 double noiseOfDepth(const Mat& depth, FloatRange limits, bool of_inverse);
 
 }}} // namespace

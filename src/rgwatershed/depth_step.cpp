@@ -5,19 +5,20 @@
 #include "precomp.hpp"
 #include "rgwatershed/depth_step.hpp"
 #include "shared/region_distance.hpp"
+#include "shared/sample.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
 
-//! The median difference of two neighbours, in sixteen rows, or some more, equally far apart: on surfaces there is
-//! little but noise between pixels, and edges are too few to matter. 0 if there are none.
+//! The median difference of two neighbours in someRows(): on surfaces there is little but noise between pixels, and
+//! edges are too few to matter. 0 if there are none.
 static int medianDifference(const Mat& depth)
 {
-    const int ROWS = 16, apart = std::max(depth.rows / ROWS, 1);
+    const Mat rows = someRows(depth);
     int counts[256] = {}, pairs = 0;
-    for (int y = apart / 2; y < depth.rows; y += apart)
+    for (int y = 0; y < rows.rows; y++)
     {
-        const uchar* row = depth.ptr(y);
-        for (int x = 1; x < depth.cols; x++)
+        const uchar* row = rows.ptr(y);
+        for (int x = 1; x < rows.cols; x++)
         {
             const int known = (row[x - 1] != 0) & (row[x] != 0);
             counts[std::abs(row[x] - row[x - 1])] += known;

@@ -4,16 +4,9 @@
 
 #include "precomp.hpp"
 #include "rgwatershed/image_contrast.hpp"
+#include "shared/sample.hpp"
 
 namespace cv { namespace ximgproc { namespace gws {
-
-//! Sixteen rows of an image, or some more, equally far apart, in the same memory; all if it has fewer.
-static Mat someRows(const Mat& image)
-{
-    const int ROWS = 16, apart = std::max(image.rows / ROWS, 1), first = apart / 2;
-    return Mat((image.rows - first + apart - 1) / apart, image.cols, image.type(),
-               const_cast<uchar*>(image.ptr(first)), image.step * size_t(apart));
-}
 
 static Scalar meanSquareOf(const Mat& values, const Mat& mask)
 {

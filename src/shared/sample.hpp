@@ -46,6 +46,14 @@ void readSample(Size size, int64 step, int type, const AddressOf& addressOf, con
     }
 }
 
+//! Sixteen rows of an image, or some more, equally far apart, in the same memory; all if it has fewer.
+inline Mat someRows(const Mat& image)
+{
+    const int ROWS = 16, apart = std::max(image.rows / ROWS, 1), first = apart / 2;
+    return Mat((image.rows - first + apart - 1) / apart, image.cols, image.type(),
+               const_cast<uchar*>(image.ptr(first)), image.step * size_t(apart));
+}
+
 template <typename T> struct RangeOf
 {
     T first, last;
