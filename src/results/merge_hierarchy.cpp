@@ -20,16 +20,15 @@ static std::vector<int> areasOf(const Regions& regions)
     return areas;
 }
 
-//! An order in which no union is larger than some mean areas of the superpixels that are left, as long as there are
-//! others: what is united first is part of larger ones later, so it may be larger than anything is to be when it is
+//! An order in which no union has more than LARGEST_UNION mean areas of the superpixels that are left, as long as there
+//! are others: what is united first is part of larger ones later, so it may be larger than anything is to be when it is
 //! united. Such unions wait until the mean is large enough. Each is larger than its parts, so these come first.
 static std::vector<Vec2i> putOffLarge(const std::vector<Vec2i>& unions, std::vector<int> areas)
 {
-    const int MOST = 4; // mean areas
     typedef std::pair<int, size_t> Union; // area and number: of equal ones, no library may choose which is first
     std::priority_queue<Union, std::vector<Union>, std::greater<Union> > waiting;
     std::vector<Vec2i> ordered;
-    const int64 most = MOST * std::accumulate(areas.begin(), areas.end(), int64(0));
+    const int64 most = LARGEST_UNION * std::accumulate(areas.begin(), areas.end(), int64(0));
     const auto isTooLarge = [&](int area) { return area * int64(areas.size() - ordered.size()) > most; };
     const auto takeWaiting = [&](bool all)
     {

@@ -12,6 +12,9 @@ namespace cv { namespace ximgproc { namespace gws {
 //! The unit of the exponents of costs.
 enum { EXPONENT_ONE = 64 };
 
+//! A union of more mean areas comes last.
+enum { LARGEST_UNION = 4 };
+
 //! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/EXPONENT_ONE.
 struct MergeRules
 {
@@ -81,7 +84,7 @@ inline MergeRules mergeByContext()
     rules.length = 41;
     rules.lightness = 20;
     rules.chroma = 12;
-    rules.usual = 3.8f; // a union is put off until it is no larger than 4 mean areas
+    rules.usual = 3.8f; // a union is put off until it is no larger than LARGEST_UNION
     rules.slope = 7; // differences of lightness, which slopes are too, count more than without contexts
     return rules;
 }

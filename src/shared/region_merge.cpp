@@ -29,9 +29,8 @@ SimilarMerger::SimilarMerger(const Mat& labels, const Padded<Feature>& features,
 //! Sets the area that is usual when so many regions are left. All costs change with it.
 void SimilarMerger::expect(int num_regions)
 {
-    const float MOST = 4; // mean areas
     log_usual_area_ = logarithm(std::max(1.f, rules_.usual * float(area_ / num_regions)));
-    log_most_area_ = logarithm(std::max(1.f, MOST * float(area_ / num_regions)));
+    log_most_area_ = logarithm(std::max(1.f, LARGEST_UNION * float(area_ / num_regions)));
     expects_anew_ = true;
 }
 
