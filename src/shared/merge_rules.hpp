@@ -13,7 +13,7 @@ namespace cv { namespace ximgproc { namespace gws {
 enum { EXPONENT_ONE = 64 };
 
 //! A union of more mean areas comes last.
-enum { LARGEST_UNION = 4 };
+static const int LARGEST_UNION = 4;
 
 //! What makes the union of two regions expensive or cheap: the exponents of its cost, in 1/EXPONENT_ONE.
 struct MergeRules
